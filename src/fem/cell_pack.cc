@@ -90,6 +90,22 @@ CellShapes shapes_of(const Space& space, const Cell& cell) {
   return shapes;
 }
 
+std::vector<PointStrain> strains_by_unknown(const CellShapes& cell, const Unknowns& unknowns) {
+  std::vector<PointStrain> points;
+  for (std::size_t q = 0; q < cell.area.size(); ++q) {
+    PointStrain& point = points.emplace_back(PointStrain{cell.area[q], {}});
+    for (std::size_t node = 0; node < cell.dofs.size(); ++node)
+      for (std::size_t c = 0; c < dim; ++c)
+        for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(cell.dofs[node][c]))) {
+          const Tensor<1, dim> gradient = weight * cell.gradient[q][node];
+          PlaneStrain& of = point.strain[unknown];
+          (c == 0 ? of.xx : of.yy) += gradient[c];
+          of.xy += 0.5 * gradient[1 - c];
+        }
+  }
+  return points;
+}
+
 CellPack::CellPack(const std::vector<CellShapes>& cells, std::vector<std::unique_ptr<SoilPack>> soil, int nowhere)
     : soil_(std::move(soil)) {
   const std::size_t n_nodes = cells.front().dofs.size(), n_points = cells.front().area.size();

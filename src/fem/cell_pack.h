@@ -4,10 +4,12 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "fem/space.h"
+#include "fem/unknowns.h"
 #include "material/soil.h"
 #include "upbead/algebra/sparse.h"
 
@@ -33,6 +35,13 @@ struct CellShapes {
 };
 /// At the points of quadrature of the cell's stiffness.
 CellShapes shapes_of(const Space& space, const Cell& cell);
+
+/// Strain at a point of quadrature per unit of each unknown, ascending, and the area of the point.
+struct PointStrain {
+  double area = 0.;  ///< m2
+  std::map<int, PlaneStrain> strain;
+};
+std::vector<PointStrain> strains_by_unknown(const CellShapes& cell, const Unknowns& unknowns);
 
 /// Lanes without a cell have zero shape functions, and take their displacement from entry `nowhere`.
 class CellPack {

@@ -2,33 +2,17 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "fem/kernels.h"
+#include "fem/cell_pack.h"
 
 namespace upbead {
 
 using namespace dealii;
 
 namespace {
-
-/// Strain at a point of a cell per unit of each unknown.
-std::vector<std::pair<int, PlaneStrain>> strain_at(const Space& space, const Unknowns& unknowns, int n_unknowns,
-                                                   const Cell& cell, const dealii::Point<dim>& unit) {
-  FEValues<dim> values(space.mapping(), cell->get_fe(), Quadrature<dim>(unit), update_gradients);
-  values.reinit(Triangulation<dim>::cell_iterator(cell));
-  const Dofs dofs = dofs_of(cell);
-  std::vector<std::pair<int, PlaneStrain>> list;
-  for (unsigned i = 0; i < dofs.size(); ++i) {
-    const PlaneStrain of = strain_of(values, i, 0);
-    for (const auto& [unknown, weight] : unknowns.expansion(dofs[i]))
-      if (unknown < n_unknowns) list.emplace_back(unknown, PlaneStrain{weight * of.xx, weight * of.yy, weight * of.xy});
-  }
-  return list;
-}
 
 Eigen::Index number_of(const std::vector<Reading>& readings, const ReadingName& name) {
   const auto found = std::find_if(readings.begin(), readings.end(),
@@ -43,14 +27,15 @@ FollowedStress::FollowedStress(const Space& space, const Unknowns& unknowns, int
                                const std::vector<FollowedReading>& points_read) {
   const QGauss<1> line(static_cast<unsigned>(space.degree()) + 1);
   const FE_DGQArbitraryNodes<dim> between(line);  // polynomials that are 1 at one point of quadrature, 0 at the others
-  const std::vector<dealii::Point<dim>> points_of_cell = QGauss<dim>(line.size()).get_points();
   for (const FollowedReading& at : points_read) {
     Follower follower;
-    for (unsigned q = 0; q < points_of_cell.size(); ++q) {
+    std::vector<PointStrain> strains = strains_by_unknown(shapes_of(space, at.cell), unknowns);
+    for (unsigned q = 0; q < strains.size(); ++q) {
       std::unique_ptr<SoilPoint> soil = points(at.cell->active_cell_index(), q);
       if (!soil) continue;
-      follower.points.push_back({std::move(soil), between.shape_value(q, at.unit),
-                                 strain_at(space, unknowns, n_unknowns, at.cell, points_of_cell[q])});
+      std::map<int, PlaneStrain>& strain = strains[q].strain;
+      strain.erase(strain.lower_bound(n_unknowns), strain.end());
+      follower.points.push_back({std::move(soil), between.shape_value(q, at.unit), std::move(strain)});
     }
     if (follower.points.empty()) continue;
     for (const auto& [name, component] : at.components)

@@ -1,6 +1,7 @@
 // Stresses of soil that yields, at points where they are read.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -30,8 +31,8 @@ class FollowedStress {
  private:
   struct FollowedPoint {
     std::unique_ptr<SoilPoint> soil;
-    double share = 0.;                                ///< of its stress in that of the reading's point
-    std::vector<std::pair<int, PlaneStrain>> strain;  ///< by unknown
+    double share = 0.;                  ///< of its stress in that of the reading's point
+    std::map<int, PlaneStrain> strain;  ///< by unknown
   };
   struct Follower {
     std::vector<FollowedPoint> points;

@@ -1,22 +1,13 @@
 #include "fem/static_soil.h"
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
-#include "fem/kernels.h"
+#include "fem/cell_pack.h"
 
 namespace upbead {
 
-using namespace dealii;
-
 namespace {
-
-using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
 Eigen::Matrix3d matrix_of(const Tangent& tangent) {
   Eigen::Matrix3d out;
@@ -25,240 +16,168 @@ Eigen::Matrix3d matrix_of(const Tangent& tangent) {
   return out;
 }
 
-LawAnswer elastic_answer(const ElasticLaw& law, const PlaneStrain& strain, MohrCoulombLaw::State& state) {
-  const PlaneStress change =
-      law.stress({strain.xx - state.strain.xx, strain.yy - state.strain.yy, strain.xy - state.strain.xy});
-  const PlaneStress& old = state.stress;
-  state = {{old.xx + change.xx, old.yy + change.yy, old.xy + change.xy, old.zz + change.zz}, strain};
-  return {state.stress, law.tangent()};
-}
-
 /// Whether a point at its strength has not moved: then the direction of its flow, and so its tangent, is not known.
 bool is_still(const PlaneStrain& now, const PlaneStrain& before) {
   return now.xx == before.xx && now.yy == before.yy && now.xy == before.xy;
 }
 
+Eigen::Vector3d part_of(const Vector& all, std::size_t point) {
+  return all.segment<3>(static_cast<Eigen::Index>(3 * point));
+}
+
+PlaneStrain strain_at(const Vector& strains, std::size_t point) {
+  const Eigen::Vector3d e = part_of(strains, point);
+  return {e[0], e[1], 0.5 * e[2]};
+}
+
 }  // namespace
 
-struct StaticSoil::Impl {
-  /// A cell that deforms.
-  struct SoilCell {
-    unsigned index;  ///< of the active cell
-    ElasticLaw elastic;
-    double area;                ///< m2
-    std::vector<int> unknowns;  ///< ascending
-    std::vector<int> entries;   ///< of the local matrix, row by row, in the pattern
-    std::size_t first_point, end_of_points;
-  };
-  struct Place {
-    Columns strain;  ///< (eps_xx, eps_yy, gamma_xy) by the unknowns of the cell
-    double area;     ///< m2
-  };
-
-  std::vector<SoilCell> cells;
-  std::vector<Place> places;
-  std::vector<MohrCoulombLaw::State> states;  ///< committed, by point
-  std::vector<Eigen::Matrix3d> tangents;      ///< by point, of the last exert()
-  StaticLaws laws;
-  SparseMatrix pattern;
-  double least_stiffness = 1e-5;  ///< over the elastic one
-
-  Impl(const Space& space, const Unknowns& unknowns);
-  void add(const Space& space, const Unknowns& unknowns, const Cell& cell);
-  void number_entries(int n);
-  LawAnswer answer(const SoilCell& cell, const PlaneStrain& strain, MohrCoulombLaw::State& state) const {
-    const auto& law = laws[cell.index];
-    return law ? law->update(strain, state) : elastic_answer(cell.elastic, strain, state);
+StaticSoil::StaticSoil(const Space& space, const Unknowns& unknowns)
+    : laws_(space.mesh().triangulation.n_active_cells()) {
+  std::vector<std::vector<PointStrain>> points;  // by cell
+  for (const Cell& cell : space.dofs().active_cell_iterators()) {
+    if (!space.has_matrices(cell) || space.kind(cell) == CellKind::water) continue;
+    points.push_back(strains_by_unknown(shapes_of(space, cell), unknowns));
+    const std::size_t first = area_.size();
+    for (const PointStrain& point : points.back()) area_.push_back(point.area);
+    cells_.push_back({cell->active_cell_index(), space.material(cell), area_of(cell), first, area_.size()});
   }
-  static Vector gather(const SoilCell& cell, const Vector& x) {
-    Vector local(static_cast<Eigen::Index>(cell.unknowns.size()));
-    for (Eigen::Index i = 0; i < local.size(); ++i) local[i] = x[cell.unknowns[static_cast<std::size_t>(i)]];
-    return local;
-  }
-  PlaneStrain strain(std::size_t point, const Vector& local) const {
-    const Eigen::Vector3d e = places[point].strain * local;
-    return {e[0], e[1], 0.5 * e[2]};
-  }
-};
-
-StaticSoil::Impl::Impl(const Space& space, const Unknowns& unknowns) {
-  for (const Cell& cell : space.dofs().active_cell_iterators())
-    if (space.has_matrices(cell) && space.kind(cell) != CellKind::water) add(space, unknowns, cell);
-  states.resize(places.size());
-  tangents.resize(places.size());
-  laws.resize(space.mesh().triangulation.n_active_cells());
-  number_entries(unknowns.size());
+  states_.resize(area_.size());
+  tangents_.resize(area_.size());
+  B_.resize(static_cast<Eigen::Index>(3 * area_.size()), unknowns.size());
+  int row = 0;
+  for (const auto& of_cell : points)
+    for (const PointStrain& point : of_cell)
+      for (int component = 0; component < 3; ++component, ++row) {
+        B_.startVec(row);
+        for (const auto& [unknown, of] : point.strain)
+          B_.insertBack(row, unknown) = component == 0 ? of.xx : component == 1 ? of.yy : 2. * of.xy;
+      }
+  B_.finalize();
+  number_entries();
 }
 
-void StaticSoil::Impl::add(const Space& space, const Unknowns& unknowns, const Cell& cell) {
-  FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
-                       update_gradients | update_JxW_values);
-  values.reinit(typename Triangulation<dim>::cell_iterator(cell));
-  const Dofs dofs = dofs_of(cell);
-  std::map<int, int> local;
-  for (const auto dof : dofs)
-    for (const auto& entry : unknowns.expansion(dof)) local[entry.first] = 0;
-  SoilCell added{cell->active_cell_index(), space.material(cell), area_of(cell), {}, {}, places.size(), 0};
-  for (auto& [unknown, number] : local) {
-    number = static_cast<int>(added.unknowns.size());
-    added.unknowns.push_back(unknown);
-  }
-  for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
-    Place place{Columns::Zero(3, static_cast<Eigen::Index>(local.size())), values.JxW(q)};
-    for (unsigned i = 0; i < dofs.size(); ++i) {
-      const PlaneStrain of = strain_of(values, i, q);
-      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i]))
-        place.strain.col(local.at(unknown)) += weight * Eigen::Vector3d(of.xx, of.yy, 2. * of.xy);
-    }
-    places.push_back(std::move(place));
-  }
-  added.end_of_points = places.size();
-  cells.push_back(std::move(added));
+Eigen::Map<const Eigen::VectorXi> StaticSoil::unknowns_of(const SoilCell& cell) const {
+  const int* begin = B_.outerIndexPtr() + 3 * cell.first_point;
+  return {B_.innerIndexPtr() + begin[0], begin[1] - begin[0]};
 }
 
-void StaticSoil::Impl::number_entries(int n) {
+void StaticSoil::number_entries() {
+  const auto n = B_.cols();
   std::vector<Eigen::Triplet<double>> triplets;
   for (int i = 0; i < n; ++i) triplets.emplace_back(i, i, 0.);
-  for (const SoilCell& cell : cells)
-    for (const int i : cell.unknowns)
-      for (const int j : cell.unknowns) triplets.emplace_back(i, j, 0.);
-  pattern.resize(n, n);
-  pattern.setFromTriplets(triplets.begin(), triplets.end());
-  const int* columns = pattern.innerIndexPtr();
-  const int* rows = pattern.outerIndexPtr();
-  for (SoilCell& cell : cells)
-    for (const int i : cell.unknowns)
-      for (const int j : cell.unknowns)
+  for (const SoilCell& cell : cells_)
+    for (const int i : unknowns_of(cell))
+      for (const int j : unknowns_of(cell)) triplets.emplace_back(i, j, 0.);
+  pattern_.resize(n, n);
+  pattern_.setFromTriplets(triplets.begin(), triplets.end());
+  const int* columns = pattern_.innerIndexPtr();
+  const int* rows = pattern_.outerIndexPtr();
+  for (SoilCell& cell : cells_)
+    for (const int i : unknowns_of(cell))
+      for (const int j : unknowns_of(cell))
         cell.entries.push_back(
             static_cast<int>(std::lower_bound(columns + rows[i], columns + rows[i + 1], j) - columns));
 }
 
-StaticSoil::StaticSoil(const Space& space, const Unknowns& unknowns) : impl_(std::make_unique<Impl>(space, unknowns)) {}
-StaticSoil::~StaticSoil() = default;
-
-void StaticSoil::follow(StaticLaws laws) {
-  impl_->laws = std::move(laws);
-}
-
-void StaticSoil::keep_stiffness(double share) {
-  impl_->least_stiffness = share;
+LawAnswer StaticSoil::answer(const SoilCell& cell, const PlaneStrain& strain, MohrCoulombLaw::State& state) const {
+  if (const auto& law = laws_[cell.index]) return law->update(strain, state);
+  const PlaneStrain& old = state.strain;
+  const PlaneStress change = cell.elastic.stress({strain.xx - old.xx, strain.yy - old.yy, strain.xy - old.xy});
+  state = {sum(state.stress, change), strain};
+  return {state.stress, cell.elastic.tangent()};
 }
 
 void StaticSoil::start_from(const PointStresses& stresses) {
-  for (const Impl::SoilCell& cell : impl_->cells) {
+  each_point([&](const SoilCell& cell, std::size_t p) {
     const std::vector<PlaneStress>& given = stresses[cell.index];
-    for (std::size_t p = cell.first_point, q = 0; p < cell.end_of_points; ++p, ++q)
-      impl_->states[p] = {q < given.size() ? given[q] : PlaneStress{}, {}};
-  }
+    const std::size_t q = p - cell.first_point;
+    states_[p] = {q < given.size() ? given[q] : PlaneStress{}, {}};
+  });
 }
 
 void StaticSoil::exert(const Vector& x, Vector& force) {
-  force.setZero(impl_->pattern.rows());
-  const double least = impl_->least_stiffness;
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const Vector local = Impl::gather(cell, x);
-    Vector sum = Vector::Zero(local.size());
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      MohrCoulombLaw::State state = impl_->states[p];
-      const PlaneStrain strain = impl_->strain(p, local);
-      LawAnswer answer = impl_->answer(cell, strain, state);
-      if (is_still(strain, impl_->states[p].strain)) answer.tangent = cell.elastic.tangent();
-      const Impl::Place& place = impl_->places[p];
-      impl_->tangents[p] = (1. - least) * matrix_of(answer.tangent) + least * matrix_of(cell.elastic.tangent());
-      sum.noalias() += place.strain.transpose() *
-                       (place.area * Eigen::Vector3d(answer.stress.xx, answer.stress.yy, answer.stress.xy));
-    }
-    for (std::size_t i = 0; i < cell.unknowns.size(); ++i) force[cell.unknowns[i]] += sum[static_cast<Eigen::Index>(i)];
-  }
-}
-
-const SparseMatrix& StaticSoil::pattern() const {
-  return impl_->pattern;
-}
-
-void StaticSoil::tangent(Eigen::Ref<Vector> values) const {
-  assemble(impl_->tangents, values);
+  const Vector strains = B_ * x;
+  std::vector<Eigen::Vector3d> stresses(area_.size());
+  each_point([&](const SoilCell& cell, std::size_t p) {
+    MohrCoulombLaw::State state = states_[p];
+    const PlaneStrain strain = strain_at(strains, p);
+    LawAnswer now = answer(cell, strain, state);
+    const Tangent elastic = cell.elastic.tangent();
+    if (is_still(strain, states_[p].strain)) now.tangent = elastic;
+    tangents_[p] = (1. - least_stiffness_) * matrix_of(now.tangent) + least_stiffness_ * matrix_of(elastic);
+    stresses[p] = {now.stress.xx, now.stress.yy, now.stress.xy};
+  });
+  force = forces(stresses);
 }
 
 void StaticSoil::assemble(const std::vector<Eigen::Matrix3d>& D, Eigen::Ref<Vector> values) const {
   values.setZero();
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> K;
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const auto n = static_cast<Eigen::Index>(cell.unknowns.size());
+  for (const SoilCell& cell : cells_) {
+    const auto n = unknowns_of(cell).size();
     K.setZero(n, n);
     for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      const Columns& B = impl_->places[p].strain;
-      K.noalias() += B.transpose() * ((impl_->places[p].area * D[p]) * B);
+      const Columns B(B_.valuePtr() + B_.outerIndexPtr()[3 * p], 3, n);
+      K.noalias() += B.transpose() * ((area_[p] * D[p]) * B);
     }
     for (Eigen::Index k = 0; k < n * n; ++k) values[cell.entries[static_cast<std::size_t>(k)]] += K.data()[k];
   }
 }
 
 void StaticSoil::commit(const Vector& x) {
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const Vector local = Impl::gather(cell, x);
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      impl_->answer(cell, impl_->strain(p, local), impl_->states[p]);
-  }
+  const Vector strains = B_ * x;
+  each_point([&](const SoilCell& cell, std::size_t p) { answer(cell, strain_at(strains, p), states_[p]); });
 }
 
 std::vector<StaticSoil::Point> StaticSoil::points() const {
   std::vector<Point> found;
-  for (const Impl::SoilCell& cell : impl_->cells)
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      found.push_back(
-          {cell.index, impl_->places[p].area, cell.elastic, impl_->laws[cell.index].get(), impl_->states[p].stress});
+  each_point([&](const SoilCell& cell, std::size_t p) {
+    found.push_back({cell.index, area_[p], cell.elastic, laws_[cell.index].get(), states_[p].stress});
+  });
   return found;
 }
 
 std::vector<Eigen::Vector3d> StaticSoil::strains(const Vector& x) const {
-  std::vector<Eigen::Vector3d> found;
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const Vector local = Impl::gather(cell, x);
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      found.emplace_back(impl_->places[p].strain * local);
-  }
+  const Vector all = B_ * x;
+  std::vector<Eigen::Vector3d> found(area_.size());
+  for (std::size_t p = 0; p < found.size(); ++p) found[p] = part_of(all, p);
   return found;
 }
 
 Vector StaticSoil::forces(const std::vector<Eigen::Vector3d>& stresses) const {
-  Vector force = Vector::Zero(impl_->pattern.rows());
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    Vector sum = Vector::Zero(static_cast<Eigen::Index>(cell.unknowns.size()));
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      sum.noalias() += impl_->places[p].strain.transpose() * (impl_->places[p].area * stresses[p]);
-    for (std::size_t i = 0; i < cell.unknowns.size(); ++i) force[cell.unknowns[i]] += sum[static_cast<Eigen::Index>(i)];
-  }
-  return force;
+  Vector all(B_.rows());
+  for (std::size_t p = 0; p < area_.size(); ++p)
+    all.segment<3>(static_cast<Eigen::Index>(3 * p)) = area_[p] * stresses[p];
+  return B_.transpose() * all;
 }
 
 PointStresses StaticSoil::stresses() const {
-  PointStresses found(impl_->laws.size());
-  for (const Impl::SoilCell& cell : impl_->cells)
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      found[cell.index].push_back(impl_->states[p].stress);
+  PointStresses found(laws_.size());
+  each_point([&](const SoilCell& cell, std::size_t p) { found[cell.index].push_back(states_[p].stress); });
   return found;
 }
 
 double StaticSoil::largest_excess() const {
   double largest = -HUGE_VAL;
-  for (const Impl::SoilCell& cell : impl_->cells)
-    if (const auto& law = impl_->laws[cell.index])
-      for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-        largest = std::max(largest, law->excess(impl_->states[p].stress));
+  each_point([&](const SoilCell& cell, std::size_t p) {
+    if (const auto& law = laws_[cell.index]) largest = std::max(largest, law->excess(states_[p].stress));
+  });
   return largest;
 }
 
 double StaticSoil::share_at_strength() const {
   double reached = 0., all = 0.;
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const auto& law = impl_->laws[cell.index];
+  for (const SoilCell& cell : cells_) {
+    const auto& law = laws_[cell.index];
     if (!law) continue;
-    bool at = false;
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      const PlaneStress& s = impl_->states[p].stress;
-      at = at || law->excess(s) > -1e-6 * (std::abs(s.xx) + std::abs(s.yy) + std::abs(s.zz));
-    }
+    const auto first = states_.begin() + static_cast<std::ptrdiff_t>(cell.first_point);
+    const bool at = std::any_of(first, first + static_cast<std::ptrdiff_t>(cell.end_of_points - cell.first_point),
+                                [&](const MohrCoulombLaw::State& state) {
+                                  const PlaneStress& s = state.stress;
+                                  const double size = std::abs(s.xx) + std::abs(s.yy) + std::abs(s.zz);
+                                  return law->excess(s) > -1e-6 * size;
+                                });
     all += cell.area;
     if (at) reached += cell.area;
   }

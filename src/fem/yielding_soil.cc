@@ -24,11 +24,7 @@ using detail::Lanes;
 class SoilNodes {
  public:
   /// The local number of a degree of freedom of the space.
-  int number(int dof) {
-    const auto [found, is_new] = number_.emplace(dof, size());
-    if (is_new) dofs_.push_back(dof);
-    return found->second;
-  }
+  int number(int dof) { return number_.emplace(dof, size()).first->second; }
   int size() const { return static_cast<int>(number_.size()); }
   /// Call after all degrees of freedom have their numbers.
   void connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings);
@@ -36,67 +32,39 @@ class SoilNodes {
   /// Unknowns on which the displacements depend, ascending.
   const std::vector<int>& rows() const { return rows_; }
   /// u has one more entry than nodes, which is zero: lanes without a cell take it.
-  void displace(const Vector& x, Vector& u) const;
+  void displace(const Vector& x, Vector& u) const { u = of_unknowns_ * x; }
   /// p of the rows, from nodal forces.
-  void gather(const Vector& F, Vector& p) const;
+  void gather(const Vector& F, Vector& p) const {
+    const Vector of_all = of_unknowns_.transpose() * F;
+    p = of_all(rows_);
+  }
   /// Subtracts from readings the contribution of nodal forces.
-  void subtract_from_readings(const Vector& F, Vector& readings) const;
+  void subtract_from_readings(const Vector& F, Vector& readings) const { readings -= in_readings_ * F; }
 
  private:
-  struct Entry {
-    int unknown, row;
-    double weight;
-  };
   std::map<int, int> number_;
-  std::vector<int> dofs_;
-  std::vector<Entry> entries_;
-  std::vector<int> end_;  ///< end of each node's entries, which begin where those of the node before end
   std::vector<int> rows_;
-  std::vector<Row> of_readings_;  ///< (node, weight)
+  SparseMatrix of_unknowns_, in_readings_;  ///< displacements by unknowns; readings by nodal forces
 };
 
 void SoilNodes::connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings) {
-  for (const int dof : dofs_) {
-    for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dof))) {
-      if (unknown >= n_unknowns) continue;
-      entries_.push_back({unknown, 0, weight});
-      rows_.push_back(unknown);
-    }
-    end_.push_back(static_cast<int>(entries_.size()));
-  }
+  std::vector<Eigen::Triplet<double>> displacement, reading;
+  for (const auto& [dof, node] : number_)
+    for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dof)))
+      if (unknown < n_unknowns) {
+        displacement.emplace_back(node, unknown, weight);
+        rows_.push_back(unknown);
+      }
   std::sort(rows_.begin(), rows_.end());
   rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
-  for (Entry& entry : entries_)
-    entry.row = static_cast<int>(std::lower_bound(rows_.begin(), rows_.end(), entry.unknown) - rows_.begin());
-  for (const Reading& reading : readings) {
-    Row& row = of_readings_.emplace_back();
-    for (const auto& [dof, weight] : reading.nodal_forces)
+  for (std::size_t r = 0; r < readings.size(); ++r)
+    for (const auto& [dof, weight] : readings[r].nodal_forces)
       if (const auto found = number_.find(static_cast<int>(dof)); found != number_.end())
-        row.emplace_back(found->second, weight);
-  }
-}
-
-void SoilNodes::displace(const Vector& x, Vector& u) const {
-  u.resize(size() + 1);
-  int k = 0;
-  for (int i = 0; i < size(); ++i) {
-    double sum = 0.;
-    for (; k < end_[static_cast<std::size_t>(i)]; ++k) sum += entries_[k].weight * x[entries_[k].unknown];
-    u[i] = sum;
-  }
-  u[size()] = 0.;
-}
-
-void SoilNodes::gather(const Vector& F, Vector& p) const {
-  p.setZero(static_cast<Eigen::Index>(rows_.size()));
-  int k = 0;
-  for (int i = 0; i < size(); ++i)
-    for (; k < end_[static_cast<std::size_t>(i)]; ++k) p[entries_[k].row] += entries_[k].weight * F[i];
-}
-
-void SoilNodes::subtract_from_readings(const Vector& F, Vector& readings) const {
-  for (std::size_t r = 0; r < of_readings_.size(); ++r)
-    for (const auto& [node, weight] : of_readings_[r]) readings[static_cast<Eigen::Index>(r)] -= weight * F[node];
+        reading.emplace_back(static_cast<int>(r), found->second, weight);
+  of_unknowns_.resize(size() + 1, n_unknowns);
+  of_unknowns_.setFromTriplets(displacement.begin(), displacement.end());
+  in_readings_.resize(static_cast<Eigen::Index>(readings.size()), size() + 1);
+  in_readings_.setFromTriplets(reading.begin(), reading.end());
 }
 
 /// Cells of one kind, to be grouped into packs.

@@ -55,9 +55,9 @@ class HystereticLaw {
   std::vector<Element> elements_;
 };
 
-/// Points of a cell with these plastic strains at rest, one for each element, or none. Below the first yield their stress is
-/// bitwise that of the elastic law. Dissipation is the average stress times the plastic strain of the step: 0 or more.
-/// Together with the change of stored energy, sum h_i ||e - e_i^p||^2, it is the work of the average stress.
+/// Points of a cell with these plastic strains at rest, one for each element, or none. Below the first yield their
+/// stress is bitwise that of the elastic law. Dissipation is the average stress times the plastic strain of the step: 0
+/// or more. Together with the change of stored energy, sum h_i ||e - e_i^p||^2, it is the work of the average stress.
 PointMaker hysteretic_points(std::shared_ptr<const HystereticLaw> law, std::vector<PlaneStrain> plastic_at_rest = {});
 
 /// The largest shear stress is c' cos phi' + s'_m sin phi' with the mean effective stress at rest; without a curve of

@@ -15,23 +15,64 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Principal stresses in plane strain: a >= b in the plane, and zz; `sorted` gives their order in space.
-struct Principal {
-  double angle = 0.;                   ///< of a against x
-  Vector3d value;                      ///< a, b, zz
-  std::array<int, 3> sorted{0, 1, 2};  ///< a, b, zz by falling value
-};
-
-Principal principal(const PlaneStress& s) {
-  const double mean = 0.5 * (s.xx + s.yy), half = 0.5 * (s.xx - s.yy), radius = std::hypot(half, s.xy);
-  Principal found{0.5 * std::atan2(s.xy, half), {mean + radius, mean - radius, s.zz}};
-  std::stable_sort(found.sorted.begin(), found.sorted.end(),
-                   [&](int i, int j) { return found.value[i] > found.value[j]; });
-  return found;
+template <class Number>
+UPBEAD_IN_CLONES Number larger(const Number& a, const Number& b) {
+  return a > b ? a : b;
+}
+template <class Number>
+UPBEAD_IN_CLONES Number smaller(const Number& a, const Number& b) {
+  return a < b ? a : b;
 }
 
-Principals sorted(const Principal& p) {
-  return {p.value[p.sorted[0]], p.value[p.sorted[1]], p.value[p.sorted[2]]};
+/// A trial stress, its Mohr circle in the plane, and its principal stresses in order.
+template <class Stress>
+struct Trial {
+  using Number = decltype(Stress::xx);
+  Stress stress;
+  Number mean, half, radius, first, middle, last;
+};
+
+template <class Stress>
+UPBEAD_IN_CLONES Trial<Stress> trial_of(const Stress& s) {
+  Trial<Stress> trial;
+  trial.stress = s;
+  trial.mean = 0.5 * (s.xx + s.yy);
+  trial.half = 0.5 * (s.xx - s.yy);
+  detail::square_root(trial.half * trial.half + s.xy * s.xy, trial.radius);
+  const auto a = trial.mean + trial.radius, b = trial.mean - trial.radius;
+  trial.first = larger(a, s.zz);
+  trial.middle = larger(b, smaller(a, s.zz));
+  trial.last = smaller(b, s.zz);
+  return trial;
+}
+
+/// Cosine and sine of twice the angle from x to the first principal direction in the plane; if all are principal, of 0.
+template <class Stress, class Number>
+UPBEAD_IN_CLONES void direction_of(const Trial<Stress>& trial, Number& cosine, Number& sine) {
+  const Number none{};
+  const auto turned = trial.radius > none;
+  cosine = turned ? trial.half / trial.radius : none + 1.;
+  sine = turned ? trial.stress.xy / trial.radius : none;
+}
+
+/// Turns the sorted principal stresses back into the plane; zz keeps its rank from the trial.
+template <class Stress, class Number>
+UPBEAD_IN_CLONES Stress turned_back(const Trial<Stress>& trial, const Number& first, const Number& middle,
+                                    const Number& last) {
+  const Number zz = trial.stress.zz;
+  const auto is_first = zz > trial.mean + trial.radius, is_last = zz <= trial.mean - trial.radius;
+  const Number a = is_first ? middle : first, b = is_last ? middle : last;
+  const Number mean = 0.5 * (a + b), radius = 0.5 * (a - b);
+  Number cosine, sine;
+  direction_of(trial, cosine, sine);
+  return {mean + radius * cosine, mean - radius * cosine, radius * sine, is_first ? first : is_last ? last : middle};
+}
+
+/// Numbers of the principal directions a >= b in the plane, 0 and 1, and zz, 2, by falling stress.
+std::array<int, 3> order_of(const Trial<PlaneStress>& t) {
+  if (t.stress.zz > t.mean + t.radius) return {2, 0, 1};
+  if (t.stress.zz <= t.mean - t.radius) return {0, 1, 2};
+  return {0, 2, 1};
 }
 
 Matrix3d permuted(const std::array<Principals, 3>& sorted, const std::array<int, 3>& order) {
@@ -41,27 +82,21 @@ Matrix3d permuted(const std::array<Principals, 3>& sorted, const std::array<int,
   return back;
 }
 
-/// Tangent in x and y, from that in the principal directions a and b, and the shear modulus between these.
-Tangent in_plane(const Matrix3d& of_principal, double shear, double angle) {
+/// Tangent in x and y, from that in the principal directions a and b of the trial, and the shear modulus between these.
+Tangent in_plane(const Matrix3d& of_principal, double shear, const Trial<PlaneStress>& trial) {
   Matrix3d T = Matrix3d::Zero();
   T.topLeftCorner<2, 2>() = of_principal.topLeftCorner<2, 2>();
   T(2, 2) = shear;
-  const double c = std::cos(angle), s = std::sin(angle);
-  Matrix3d R;                // maps strains in x, y to those in a, b
-  R << c * c, s * s, c * s,  //
-      s * s, c * c, -c * s,  //
-      -2. * c * s, 2. * c * s, c * c - s * s;
+  double c, s;
+  direction_of(trial, c, s);
+  Matrix3d R;                                    // maps strains in x, y to those in a, b
+  R << 0.5 * (1. + c), 0.5 * (1. - c), 0.5 * s,  //
+      0.5 * (1. - c), 0.5 * (1. + c), -0.5 * s, -s, s, c;
   const Matrix3d turned = R.transpose() * T * R;
   Tangent out;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) out[i][j] = turned(i, j);
   return out;
-}
-
-PlaneStress turned(const Vector3d& value, double angle) {
-  const double mean = 0.5 * (value[0] + value[1]), radius = 0.5 * (value[0] - value[1]);
-  return {mean + radius * std::cos(2. * angle), mean - radius * std::cos(2. * angle), radius * std::sin(2. * angle),
-          value[2]};
 }
 
 double ratio(double degrees) {
@@ -94,58 +129,47 @@ MohrCoulombLaw::MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStren
     : elastic_(elastic), planes_(planes_of(elastic, s)) {}
 
 double MohrCoulombLaw::excess(const PlaneStress& stress) const {
-  const Principal p = principal(stress);
-  const double first = p.value[p.sorted[0]], last = p.value[p.sorted[2]];
-  return std::max(planes_.k * first - last - planes_.strength, first - planes_.tension);
+  const Trial<PlaneStress> t = trial_of(stress);
+  return std::max(planes_.k * t.first - t.last - planes_.strength, t.first - planes_.tension);
 }
 
-PlaneStress MohrCoulombLaw::returned(const PlaneStress& trial) const {
-  const Principal p = principal(trial);
-  const Principals back = planes_.from(sorted(p)).stress;
-  Vector3d value;
-  for (int i = 0; i < 3; ++i) value[p.sorted[i]] = back[i];
-  return turned(value, p.angle);
+PlaneStress MohrCoulombLaw::returned(const PlaneStress& stress) const {
+  const Trial<PlaneStress> t = trial_of(stress);
+  const auto [first, middle, last] = planes_.from({t.first, t.middle, t.last}).stress;
+  return turned_back(t, first, middle, last);
 }
 
 double MohrCoulombLaw::mobilised(const PlaneStress& stress) const {
-  const auto [first, middle, last] = sorted(principal(stress));
+  const Trial<PlaneStress> t = trial_of(stress);
   const MohrCoulombPlanes& p = planes_;
   // from sin phi = (k - 1)/(k + 1) and c cos phi = strength/(k + 1)
-  const double bearable = p.strength - 0.5 * (first + last) * (p.k - 1.), radius = 0.5 * (first - last) * (p.k + 1.);
-  return first >= p.tension || radius >= bearable ? 1. : radius / bearable;
+  const double bearable = p.strength - 0.5 * (t.first + t.last) * (p.k - 1.);
+  const double radius = 0.5 * (t.first - t.last) * (p.k + 1.);
+  return t.first >= p.tension || radius >= bearable ? 1. : radius / bearable;
 }
 
 LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const {
   const PlaneStrain step{strain.xx - state.strain.xx, strain.yy - state.strain.yy, strain.xy - state.strain.xy};
-  const PlaneStress trial = sum(state.stress, elastic_.stress(step));
-  state = {trial, strain};
-  LawAnswer answer{trial, elastic_.tangent()};
-  if (excess(trial) <= 0.) return answer;
-  const Principal p = principal(trial);
-  const MohrCoulombPlanes::Return back = planes_.from(sorted(p));
-  const Matrix3d tangent = permuted(planes_.tangent(back), p.sorted);
-  Vector3d value;
-  for (int i = 0; i < 3; ++i) value[p.sorted[i]] = back.stress[i];
+  state = {sum(state.stress, elastic_.stress(step)), strain};
+  if (excess(state.stress) <= 0.) return {state.stress, elastic_.tangent()};
+  const Trial<PlaneStress> t = trial_of(state.stress);
+  const MohrCoulombPlanes::Return back = planes_.from({t.first, t.middle, t.last});
+  const auto [first, middle, last] = back.stress;
+  const std::array<int, 3> order = order_of(t);
+  const Matrix3d tangent = permuted(planes_.tangent(back), order);
+  const double a = order[0] == 0 ? first : middle, b = order[2] == 1 ? last : middle;
   // The principal directions turn with the trial stress; if both stresses in the plane are equal, any direction is
   // principal.
-  const double apart = p.value[0] - p.value[1];
-  const double shear = apart > 1e-12 * p.value.cwiseAbs().maxCoeff() ? elastic_.G * (value[0] - value[1]) / apart
-                                                                     : 0.5 * (tangent(0, 0) - tangent(0, 1));
-  answer.stress = state.stress = turned(value, p.angle);
-  answer.tangent = in_plane(tangent, shear, p.angle);
-  return answer;
+  const double apart = 2. * t.radius;
+  const double shear = apart > 1e-12 * std::max({std::abs(t.first), std::abs(t.last)})
+                           ? elastic_.G * (a - b) / apart
+                           : 0.5 * (tangent(0, 0) - tangent(0, 1));
+  state.stress = turned_back(t, first, middle, last);
+  return {state.stress, in_plane(tangent, shear, t)};
 }
 
 namespace {
 
-template <class Number>
-UPBEAD_IN_CLONES Number larger(const Number& a, const Number& b) {
-  return a > b ? a : b;
-}
-template <class Number>
-UPBEAD_IN_CLONES Number smaller(const Number& a, const Number& b) {
-  return a < b ? a : b;
-}
 template <class Number>
 UPBEAD_IN_CLONES Number magnitude(const Number& a) {
   return larger<Number>(a, -a);
@@ -171,13 +195,6 @@ struct MohrCoulombSoil {
   struct Constants {
     Number G, lambda, k, m, strength, tension;
   };
-  /// A trial stress, its Mohr circle in the plane, and its principal stresses in order.
-  struct Trial {
-    Stress stress;
-    Number mean, half, radius;
-    Number first, middle, last;  ///< principal
-  };
-
   static constexpr double never = 1e300;
   Constants c{Number{} + 1., Number{}, Number{}, Number{}, Number{} + never, Number{} + never};
   std::vector<std::shared_ptr<const MohrCoulombLaw>> laws;  ///< by lane
@@ -197,40 +214,19 @@ struct MohrCoulombSoil {
     return all;
   }
 
-  UPBEAD_IN_CLONES Trial elastic(const State& state, const Strain& strain) const {
+  UPBEAD_IN_CLONES Trial<Stress> elastic(const State& state, const Strain& strain) const {
     const Number volume = c.lambda * (strain.xx + strain.yy);
-    Trial trial;
-    Stress& s = trial.stress;
+    Stress s;
     s.xx = state.rest.xx + (2. * c.G * strain.xx + volume) - state.taken.xx;
     s.yy = state.rest.yy + (2. * c.G * strain.yy + volume) - state.taken.yy;
     s.xy = state.rest.xy + 2. * c.G * strain.xy - state.taken.xy;
     s.zz = state.rest.zz + volume - state.taken.zz;
-    trial.mean = 0.5 * (s.xx + s.yy);
-    trial.half = 0.5 * (s.xx - s.yy);
-    detail::square_root(trial.half * trial.half + s.xy * s.xy, trial.radius);
-    const Number a = trial.mean + trial.radius, b = trial.mean - trial.radius;
-    trial.first = larger(a, s.zz);
-    trial.middle = larger(b, smaller(a, s.zz));
-    trial.last = smaller(b, s.zz);
-    return trial;
-  }
-
-  /// Turns the sorted principal stresses back into the plane; zz keeps its rank from the trial.
-  UPBEAD_IN_CLONES static Stress turned_back(const Trial& trial, const Number& first, const Number& middle,
-                                             const Number& last) {
-    const Number zz = trial.stress.zz, none{};
-    const auto is_first = zz > trial.mean + trial.radius, is_last = zz <= trial.mean - trial.radius;
-    const Number a = is_first ? middle : first, b = is_last ? middle : last;
-    const Number mean = 0.5 * (a + b), radius = 0.5 * (a - b);
-    const auto turned = trial.radius > none;
-    const Number cosine = turned ? trial.half / trial.radius : none + 1.;
-    const Number sine = turned ? trial.stress.xy / trial.radius : none;
-    return {mean + radius * cosine, mean - radius * cosine, radius * sine, is_first ? first : is_last ? last : middle};
+    return trial_of(s);
   }
 
   /// Returns the trial stresses that lie outside the planes; false where none does. Most of them return to the plane of
   /// shear alone, the others by MohrCoulombLaw::returned().
-  UPBEAD_IN_CLONES bool returns(const Trial& trial, Stress& back) const {
+  UPBEAD_IN_CLONES bool returns(const Trial<Stress>& trial, Stress& back) const {
     const Number over = c.k * trial.first - trial.last - c.strength, none{};
     // `outside` is the negation of a comparison, so that a stress that is not a number counts as outside
     const auto outside = !((over <= none) & (trial.first <= c.tension));
@@ -253,12 +249,12 @@ struct MohrCoulombSoil {
   }
 
   UPBEAD_IN_CLONES void correct(const State& state, const Strain& strain, Stress& correction) const {
-    const Trial trial = elastic(state, strain);
+    const Trial<Stress> trial = elastic(state, strain);
     correction = state.taken;
     if (Stress back; returns(trial, back)) grow(trial.stress, back, correction);
   }
   UPBEAD_IN_CLONES void commit(State& state, const Strain& strain, Number& dissipated) const {
-    const Trial trial = elastic(state, strain);
+    const Trial<Stress> trial = elastic(state, strain);
     Stress back;
     if (!returns(trial, back)) return;
     dissipated += energy(back, minus(trial.stress, back));
@@ -283,7 +279,7 @@ struct MohrCoulombSoil {
   /// The planes' excess grows by at most (k + 1) times the largest change of a principal stress, which is at most
   /// (2 G + sqrt(2) lambda) times the norm of the change of strain.
   UPBEAD_IN_CLONES void margin(const State& state, const Strain& strain, Number& least) const {
-    const Trial trial = elastic(state, strain);
+    const Trial<Stress> trial = elastic(state, strain);
     const Number inside = smaller<Number>(c.strength - c.k * trial.first + trial.last, c.tension - trial.first);
     least = inside / ((c.k + 1.) * (2. * c.G + std::sqrt(2.) * c.lambda));
   }
