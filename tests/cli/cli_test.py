@@ -109,7 +109,7 @@ class Cli(ProgramTest):
         with h5py.File(result / "results.h5") as file:
             history = file["history"]
             n = len(history["time"])
-            self.assertEqual(n, summary["discretisation"]["steps"] + 1)
+            self.assertGreaterEqual(n, summary["discretisation"]["steps"] + 1)
             for name in ("force", "shear_force", "inertia_force", "caisson/displacement_x", "caisson/displacement_y",
                          "caisson/rotation", "caisson/velocity_x", "caisson/acceleration_x",
                          "probes/in_sand/displacement_x", "probes/in_sand/pressure",

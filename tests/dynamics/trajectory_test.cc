@@ -233,10 +233,10 @@ TEST(Trajectory, OfAReducedModelIsThatOfItsLoads) {
   EXPECT_LE(rows.error, 1e-3);
   EXPECT_EQ(rows.time[1], rows.time[0] + 1e-6 * end / 20.) << "after the jump of the load";
   EXPECT_LE(off_lines(trajectory, rows.time), 1.1e-3);
-  // piece by piece is the same as all at once
+  // piece by piece is the same as all at once, but for steps that respond() takes as equal within 1e-9 of a step
   const Series whole = trajectory.at(rows.time);
   for (std::size_t i = 3; i < rows.time.size(); i += 17)
-    EXPECT_NEAR(trajectory.at({rows.time[i]}).reading(0, 0), whole.reading(0, static_cast<Eigen::Index>(i)), 1e-12);
+    EXPECT_NEAR(trajectory.at({rows.time[i]}).reading(0, 0), whole.reading(0, static_cast<Eigen::Index>(i)), 1e-10);
 }
 
 }  // namespace trajectory_test
