@@ -148,9 +148,7 @@ class LoadChecks {
     if (wrong_.given("boundary") && !is_on_volume(load_.kind))
       check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (wrong_.given("region")) check_region();
-    const bool has_direction = load_.kind == LoadKind::force || load_.kind == LoadKind::traction ||
-                               load_.kind == LoadKind::body_force || is_motion(load_.kind);
-    if (has_direction && load_.direction[0] == 0. && load_.direction[1] == 0.)
+    if (has_own_direction(load_) && load_.direction[0] == 0. && load_.direction[1] == 0.)
       wrong_.add("direction", "direction is zero", "give a direction such as [1.0, 0.0]");
     if (!load_.shape.empty()) check_shape();
     if (load_.pulse && check_.report.sound(check_.path + ".pulse.shape")) wrong_.add(diagnose(*load_.pulse), "pulse.");

@@ -5,10 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "case/cfd/flow_source.h"
+#include "case/load_table.h"
 #include "case/records/record_keys.h"
-#include "case/wave_load.h"
-#include "case/wave_train.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
 #include "upbead/input/report_head.h"
@@ -16,14 +14,6 @@
 #include "upbead/waves/goda.h"
 
 namespace upbead {
-
-/// A table [loads.NAME] as written, of which its source makes loads (load_source.h).
-struct LoadTable : Load, GaugeKeys, FlowKeys {
-  std::optional<Pulse> pulse;
-  std::string history_file;
-  std::optional<WaveLoadTable> wave;
-  std::optional<WaveTrain> train;
-};
 
 /// The table [sliding.uplift] as written.
 struct UpliftTable : UpliftChoice, GaugeKeys {

@@ -6,11 +6,6 @@ namespace upbead {
 
 namespace {
 
-bool has_direction(const LoadTable& load) {
-  return load.from.empty() && (load.kind == LoadKind::force || load.kind == LoadKind::traction ||
-                               load.kind == LoadKind::body_force || is_motion(load.kind));
-}
-
 bool is_at_a_point(const LoadTable& load) {
   return !load.region.empty() && load.from.empty() && !is_on_volume(load.kind);
 }
@@ -37,7 +32,7 @@ void add_vector_keys(TableSchema<LoadTable>& table) {
       .when("region", is_at_a_point, "for a force on a region");
   table.key("direction", &LoadTable::direction)
       .doc("direction (x, y); multiplies the history and is not normalised")
-      .when("kind", has_direction, "for forces, tractions, motions and body forces");
+      .when("kind", has_own_direction, "for forces, tractions, motions and body forces");
 }
 
 }  // namespace

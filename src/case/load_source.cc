@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
-#include "case/case_schema.h"
+#include "case/load_table.h"
 
 namespace upbead {
-
-const std::vector<LoadWay>& load_ways() {
-  static const std::vector<LoadWay> ways{by_pulse(), by_history(), by_wave(), by_train(), by_gauges(), by_flow()};
-  return ways;
-}
 
 const LoadWay& way_of(const LoadTable& table) {
   const auto& ways = load_ways();
@@ -20,6 +15,12 @@ void begin(const GivenLoad& given, LoadSource& source) {
   source.name = given.name;
   source.title = "loads." + given.name;
   source.load = given.table;
+}
+
+std::shared_ptr<LoadSource> begun(const GivenLoad& given) {
+  auto source = std::make_shared<LoadSource>();
+  begin(given, *source);
+  return source;
 }
 
 Load with_factor(Load load) {

@@ -1,4 +1,5 @@
-// A source of loads: a way to give a table [loads.NAME] its course in time. Each is a file, and a row of load_ways().
+// A source of loads: a way to give a table [loads.NAME] its course in time. Each is a file, and a row of load_ways()
+// (load_table.h).
 #pragma once
 
 #include <map>
@@ -33,13 +34,7 @@ struct LoadSource {
   std::optional<Gauges> gauges;      ///< where it is a row of pressures
   NumberedWarnings warnings;
 
-  LoadSource() = default;
-  LoadSource(const LoadSource&) = default;
-  LoadSource(LoadSource&&) = default;
-  LoadSource& operator=(const LoadSource&) = default;
-  LoadSource& operator=(LoadSource&&) = default;
   virtual ~LoadSource() = default;
-
   bool acts() const { return load.factor != 0.; }
 };
 
@@ -64,21 +59,14 @@ struct LoadWay {
   std::string needs = {};                            ///< another table that must have no mistake
 };
 
-LoadWay by_pulse();    ///< pulse_load.cc
-LoadWay by_history();  ///< records/history_load.cc
-LoadWay by_wave();     ///< wave_load.cc
-LoadWay by_train();    ///< wave_train.cc
-LoadWay by_gauges();   ///< records/gauge_load.cc
-LoadWay by_flow();     ///< cfd/flow_scene.cc
-
-/// All rows, in the order of their keys in the file.
-const std::vector<LoadWay>& load_ways();
-
 /// The last way that fits the table; where it gives neither pulse nor anything else, by_history().
 const LoadWay& way_of(const LoadTable& table);
 
 /// Fills what all sources have of a load.
 void begin(const GivenLoad& given, LoadSource& source);
+
+/// A source of which no more is filled.
+std::shared_ptr<LoadSource> begun(const GivenLoad& given);
 
 /// The load with its factor in its history; without history where that is zero.
 Load with_factor(Load load);

@@ -44,8 +44,7 @@ TableSchema<Pulse> pulse_schema() {
 }
 
 std::shared_ptr<LoadSource> read_pulse(const GivenLoad& given) {
-  const auto source = std::make_shared<LoadSource>();
-  begin(given, *source);
+  const auto source = begun(given);
   const Pulse& pulse = *given.table.pulse;
   Load load = given.table;
   load.history = is_motion(load.kind) ? velocity(load.kind, pulse) : time_function(pulse);

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "case/case_schema.h"
+#include "case/cfd/flow_text.h"
 #include "case/records/measured.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
@@ -115,15 +116,6 @@ void Ratios::require_all_used() const {
   mistakes.throw_if_any();
 }
 
-/// The unit of a load's history: it follows from the load's kind.
-std::string history_unit(const Load& load) {
-  return unit_of(load.kind);
-}
-
-bool starts_with(const std::string& text, const std::string& beginning) {
-  return text.rfind(beginning, 0) == 0;
-}
-
 /// Whether a key is a constant of the soil or its water, which stays where the soil is the same: moduli,
 /// conductivity, permeability, viscosity.
 bool is_of_the_soil(const std::string& path, const std::string& unit) {
@@ -144,7 +136,7 @@ bool counts(const std::string& path, const CaseTables& tables) {
 /// The unit of a number; the unit of a pulse's peak depends on the kind of its load.
 std::string dimension_of(const KeyInfo& key, const std::string& path, const CaseTables& tables) {
   if (key.unit != "N/m or Pa") return key.unit;
-  return history_unit(tables.load_tables.at(split_dotted(path).at(1)));
+  return unit_of(tables.load_tables.at(split_dotted(path).at(1)).kind);
 }
 
 /// In a list of pairs the second number has no dimension; a ratio does not apply to it.
@@ -315,7 +307,7 @@ void scale_histories(const Case& problem, double factor, CaseTables& tables, std
                        "write it as a table by `upbead read` and load that by history or gauges");
     const std::string path = dotted("loads", name), file = name + ".csv";
     if (!load.history_file.empty())
-      load.history_file = keep(file, history(load.history_file, path, history_unit(load)));
+      load.history_file = keep(file, history(load.history_file, path, unit_of(load.kind)));
     if (!load.gauges.empty()) load.gauges = keep(file, scaled_record(problem, load, path, factor));
   }
   for (auto& [name, source] : tables.measured)

@@ -134,7 +134,8 @@ Pulse pulse_of(PulseShape shape, double peak, double duration) {
 }  // namespace
 
 std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water) {
-  WaveLoad w;
+  const auto wave = std::make_shared<WaveLoad>();
+  WaveLoad& w = *wave;
   w.table = table;
   w.section = section;
   w.wave = design_wave(table, section, water);
@@ -162,7 +163,7 @@ std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& s
       add_standing(water, w);
       break;
   }
-  return std::make_shared<WaveLoad>(std::move(w));
+  return wave;
 }
 
 Gauges row_on_wall(const StandingLoad& standing, double still) {

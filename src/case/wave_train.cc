@@ -109,8 +109,7 @@ void check_train(const LoadCheck& check) {
 }
 
 std::shared_ptr<LoadSource> read_train(const GivenLoad& given) {
-  const auto source = std::make_shared<LoadSource>();
-  begin(given, *source);
+  const auto source = begun(given);
   const Scene& scene = given.problem.scene;
   const WaveTrain& train = *given.table.train;
   source->made = train_loads(given.name, source->load, train, scene.fluid.density, scene.gravity);

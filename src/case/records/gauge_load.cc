@@ -190,8 +190,7 @@ void check_row(const LoadCheck& check) {
 }
 
 std::shared_ptr<LoadSource> read_row(const GivenLoad& given) {
-  const auto source = std::make_shared<LoadSource>();
-  begin(given, *source);
+  const auto source = begun(given);
   add_record(given.table, given.path, given.problem, *source);
   source->gauges->over_x = given.table.over_x;
   source->made = gauge_loads(given.name, source->load, *source->gauges, given.end());

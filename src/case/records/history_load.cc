@@ -149,8 +149,7 @@ void add_file(const std::string& path, const Place& place, FileHistory& history,
 }
 
 std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
-  const auto source = std::make_shared<LoadSource>();
-  begin(given, *source);
+  const auto source = begun(given);
   Load load = given.table;
   const std::string path = given.problem.resolve(given.table.history_file);
   const Place place = given.place("history");
