@@ -327,8 +327,8 @@ NumberedWarning below_goda(const std::string& title, const WaveLoad& w) {
           w.peak(),
           w.pressure.force,
           "N/m",
-          title + ": the peak of the impact, " + with_unit(w.peak(), "N/m") +
-              ", is below P of Goda's formulas, " + with_unit(w.pressure.force, "N/m") +
+          title + ": the peak of the impact, " + with_unit(w.peak(), "N/m") + ", is below P of Goda's formulas, " +
+              with_unit(w.pressure.force, "N/m") +
               ", which already is an effective sliding force: checks by dynamics are on the unsafe side of those by "
               "formulas",
           "leave peak_gain out, or give a larger one"};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/text.h"
@@ -86,27 +87,29 @@ constexpr std::size_t widest_line = 100;
 
 /// The first column, and those from `from` on that fit in a line; the next one that does not.
 std::pair<std::string, std::size_t> aligned_from(std::size_t from, const std::vector<Row>& rows,
-                                                 const std::vector<std::size_t>& width) {
+                                                 const std::vector<std::size_t>& width, std::size_t gap) {
   std::size_t to = from, line = width[0];
-  while (to < width.size() && (to == from || line + 2 + width[to] <= widest_line)) line += 2 + width[to++];
+  while (to < width.size() && (to == from || line + gap + width[to] <= widest_line)) line += gap + width[to++];
   std::string text;
   for (const Row& row : rows) {
     text += row[0] + std::string(width[0] - row[0].size(), ' ');
-    for (std::size_t i = from; i < to; ++i) text += "  " + std::string(width[i] - row[i].size(), ' ') + row[i];
+    for (std::size_t i = from; i < to; ++i) text += std::string(gap + width[i] - row[i].size(), ' ') + row[i];
     text += "\n";
   }
   return {text, to};
 }
 
-/// Columns as wide as needed, the first aligned to the left, all other ones to the right; those that do not fit in a
-/// line follow below, after the first one again.
+/// Columns as wide as needed, the first aligned to the left, all other ones to the right. Those that do not fit in a
+/// line, even close together, follow below, after the first one again.
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> width(rows.front().size());
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  const std::size_t close = std::accumulate(width.begin(), width.end(), width.size() - 1);
+  const bool is_close = close <= widest_line && close + width.size() - 1 > widest_line;
   std::string text;
   for (std::size_t next = 1; next < width.size();) {
-    const auto [block, to] = aligned_from(next, rows, width);
+    const auto [block, to] = aligned_from(next, rows, width, is_close ? 1 : 2);
     text += (next > 1 ? "\n" : "") + block;
     next = to;
   }

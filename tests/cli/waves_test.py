@@ -274,8 +274,9 @@ class Waves(ProgramTest):
                 self.assertEqual(governing[check]["value"], found[governing[check]["level"]])
         out = self.waves("design.toml").stdout
         self.assertIn("\nWater levels, * the one that governs (m, kN/m, kPa)\nwave and level ", out)
-        self.assertRegex(out, r"\nb_low at high +1\.5 +16\.5 +5 [^*]* [\d.]+\*\n")
-        self.assertRegex(out, r"\nb_low at low +-2 +13 +5 .* 1\.156\* .* 804\.6\* ")
+        self.assertRegex(out, r"\nb_low at high +1\.5 +16\.5 +5 [^*]*\n")
+        self.assertRegex(out, r"\nb_low at high +0 +[\d.]+ +[\d.]+\*\n")
+        self.assertRegex(out, r"\nb_low at low +-2 +13 +5 .* 1\.156\* .* 804\.6\*\n")
         self.assertNotIn("!", out)
 
     def test_where_it_overturns_no_heel_pressure_is_worse(self):
@@ -315,7 +316,7 @@ class Waves(ProgramTest):
         _, stability, standing, *levels, _ = rows(beyond)
         self.assertRegex(stability, r" [\d.]+! +[\d.]+!$")
         self.assertRegex(standing, r"!.* [\d.]+!$")
-        self.assertEqual([level.count("!") >= 1 for level in levels], [True, True])
+        self.assertEqual([level.count("!") >= 1 for level in levels[:2]], [True, True])
         told = {warning["name"]: warning["text"] for warning in self.summary("design.toml", *limits)["waves"]["b_low"]["warnings"]}
         self.assertIn("the pressure under the heel is ", told["base_pressure"])
         self.assertIn(", below limits.overturning = ", told["overturning_limit"])

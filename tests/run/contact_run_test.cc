@@ -2,6 +2,7 @@
 // otherwise the contact is solved, S is given beside the other measures, and the balance of energy closes; regions
 // that cannot slip are reported. Tolerances: round-off.
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/case_run.h"
@@ -60,7 +61,9 @@ TEST_F(ContactRun, IsTheTiedRunWhereNothingMoves) {
   EXPECT_FALSE(shortly.run.summary.contact->solved);
   EXPECT_LT(shortly.run.summary.contact->demand.slip, 1.);
   EXPECT_GT(shortly.run.summary.contact->demand.least_normal, 0.);
-  EXPECT_EQ(shortly.run.summary.skipped.back().what, "contact node by node");
+  const std::vector<Skipped>& skipped = shortly.run.summary.skipped;
+  EXPECT_TRUE(
+      std::any_of(skipped.begin(), skipped.end(), [](const Skipped& s) { return s.what == "contact node by node"; }));
   ASSERT_TRUE(fully.run.summary.contact->solved);
   EXPECT_EQ(fully.run.summary.discretisation.scheme, "contact");
   EXPECT_EQ(fully.run.summary.contact->solved->slip, 0.);
