@@ -111,6 +111,16 @@ def answers(program, command, out):
     return found
 
 
+def at_same_times(key, before, after):
+    """Rows of a history after that stand at the times before, where there are more now; else all of them."""
+    file, colon, _ = key.partition(":")
+    old, new = before.get(f"{file}:history/time"), after.get(f"{file}:history/time")
+    if not colon or old is None or new is None or len(old) == len(new) or len(after[key]) != len(new):
+        return after[key]
+    rows = numpy.searchsorted(new, old - 1e-12 * old[-1])
+    return after[key][rows]
+
+
 def compare(before, after):
     """Number of items compared, the largest difference and its place; the keys that only one of the two has, and those
     whose words differ."""
@@ -119,7 +129,7 @@ def compare(before, after):
         if isinstance(before[key], str) and isinstance(after[key], str):
             other += [key] if before[key] != after[key] else []
             continue
-        apart = difference(before[key], after[key])
+        apart = difference(before[key], at_same_times(key, before, after))
         if apart > worst:
             worst, where = apart, key
     return len(before.keys() & after.keys()), worst, where, other
