@@ -14,6 +14,7 @@
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "findings/histories.h"
+#include "findings/topics.h"
 #include "output/section_outputs.h"
 
 namespace upbead {
@@ -126,8 +127,7 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
             "of a [record](records.md#the-response) of `[measured]`");
   };
   f.parts.emplace_back([input, records](const Evidence& e, Summary& s) {
-    if (!records->empty())
-      s.measured = compare_measured(*input, *records, histories(e.simulation, e.solution.response.ends));
+    if (!records->empty()) s.measured = compare_measured(*input, *records, histories(e.simulation, e.of(find_history)));
   });
   f.warnings = [records](const Evidence&, const Summary&) {
     NumberedWarnings list;

@@ -8,6 +8,7 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
+#include "findings/histories.h"
 #include "findings/topics.h"
 
 namespace upbead {
@@ -59,7 +60,7 @@ void set_lifting(const NodeContact& contact, BaseSummary& base) {
 std::optional<BaseSummary> find_base(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (!base) return std::nullopt;
-  const Series& series = e.solution.response.ends;
+  const Series& series = e.of(find_history);
   BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
   const BaseExtremes at_rest = base_extremes(without_motion(e.simulation, *base, series.time), series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
@@ -101,7 +102,7 @@ EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double
 NumberedWarnings lift_warnings(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (e.solution.contact || !base) return {};
-  const EdgeStress least = least_edge_stress(*base, e.solution.response.ends.time);
+  const EdgeStress least = least_edge_stress(*base, e.of(find_history).time);
   if (least.stress >= 0.) return {};
   const std::string which = least.force < 0.    ? "the whole caisson"
                             : least.moment > 0. ? "its seaward edge"
@@ -216,8 +217,12 @@ OutputSchema<BaseSummary> base_outputs() {
 
 }  // namespace
 
+Series find_history(const Evidence& e) {
+  return history_rows(e.solution).series;
+}
+
 std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
-  return effective_base(e.simulation, e.solution.response.ends);
+  return effective_base(e.simulation, e.of(find_history));
 }
 
 Finding base_finding() {
@@ -225,7 +230,7 @@ Finding base_finding() {
   f.keys = [](OutputSchema<Summary>& s) {
     s.object("base", &Summary::base, base_outputs(),
              "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-             "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level gives W'");
+             "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
   };
   f.warnings = base_warnings;
   f.checks = base_checks;

@@ -91,7 +91,7 @@ std::vector<Eigen::Index> not_of_base(const System& system) {
   return list;
 }
 
-std::string told(const Rows& rows, double tolerance) {
+std::string told(const HistoryRows& rows, double tolerance) {
   if (rows.error < 0.) return "; the ends of the steps";
   const std::string error = percent(rows.error) + " of the largest value of each reading";
   if (rows.error <= tolerance) return "; straight lines between the rows err by at most " + error;
@@ -110,8 +110,15 @@ std::vector<double> equal_times(const Scene& scene) {
 
 }  // namespace
 
-Trajectory trajectory_of(const Run& run) {
-  return {run.simulation->compiled->system, run.response, run.model ? &*run.model : nullptr};
+Trajectory trajectory_of(const Solution& solution) {
+  return {solution.simulation->compiled->system, solution.response, solution.model ? &*solution.model : nullptr};
+}
+
+HistoryRows history_rows(const Solution& solution) {
+  const Trajectory trajectory = trajectory_of(solution);
+  const Simulation& simulation = *solution.simulation;
+  const Rows rows = trajectory.rows(not_of_base(simulation.compiled->system), whole_tolerance(simulation), most_rows);
+  return {trajectory.at(rows.time), rows.error};
 }
 
 std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
@@ -151,7 +158,6 @@ std::vector<Dataset> names_of_histories(const Simulation& simulation) {
 
 std::vector<Dataset> tables(const Run& run) {
   const Scene& scene = run.simulation->scene;
-  const double tolerance = whole_tolerance(*run.simulation);
   const Trajectory trajectory = trajectory_of(run);
   std::vector<Dataset> all;
   const auto add = [&](const std::string& folder, const Series& series, const std::string& of_rows) {
@@ -161,12 +167,12 @@ std::vector<Dataset> tables(const Run& run) {
       all.push_back(std::move(history));
     }
   };
-  const Rows rows = trajectory.rows(not_of_base(run.simulation->compiled->system), tolerance, most_rows);
-  const Series dense = trajectory.at(rows.time);
-  add("history/", dense, told(rows, tolerance));
+  const HistoryRows rows = history_rows(run);
+  add("history/", rows.series, told(rows, whole_tolerance(*run.simulation)));
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
-  for (auto part : {base_tables(*run.simulation, dense), node_tables(run.contact), coupled_tables(run.summary.sliding)})
+  for (auto part :
+       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

@@ -10,8 +10,15 @@
 
 namespace upbead {
 
-/// What a run did at any time; the run must outlive it.
-Trajectory trajectory_of(const Run& run);
+/// What was solved at any time; the solution must outlive it.
+Trajectory trajectory_of(const Solution& solution);
+
+/// All readings in rows between which straight lines follow the trajectory within the scene's tolerance.
+struct HistoryRows {
+  Series series;
+  double error = 0.;  ///< of the straight lines, see Rows
+};
+HistoryRows history_rows(const Solution& solution);
 
 /// Histories of all readings, by the names of /history, and those of the base (effective_base.h). `ends`: of the
 /// scene.

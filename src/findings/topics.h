@@ -21,7 +21,9 @@ const Solution& bonded_of(const Evidence& e);
 /// S by formulas on F_T(t), without its error; none without [sliding].
 std::optional<SlidingSummary> find_slid(const Evidence& e);
 SlipAsWhole find_slip_as_whole(const Evidence& e);
-/// The effective load of the caisson on the ground over time; none where W' is not known.
+/// All readings in the rows of /history.
+Series find_history(const Evidence& e);
+/// The effective load of the caisson on the ground in these rows; none where W' is not known.
 std::optional<EffectiveBase> find_effective_base(const Evidence& e);
 std::optional<ResidualSummary> find_residual(const Evidence& e);
 std::optional<ContactSummary> find_contact(const Evidence& e);
