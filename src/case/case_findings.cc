@@ -1,8 +1,5 @@
 #include "case/case_findings.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/case_schema.h"

@@ -38,6 +38,14 @@ struct Finding {
         [member, find](const Evidence& evidence, Summary& summary) { summary.*member = evidence.of(find); });
     return *this;
   }
+  /// A part that is one of the solution.
+  template <class Value>
+  Finding& part(Value Summary::*member, Value Solution::*of_solution) {
+    parts.emplace_back([member, of_solution](const Evidence& evidence, Summary& summary) {
+      summary.*member = evidence.solution.*of_solution;
+    });
+    return *this;
+  }
 };
 
 }  // namespace upbead

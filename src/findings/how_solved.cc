@@ -81,30 +81,14 @@ std::string why_no_periods(const Summary& summary) {
          "\"reduced\" tells them";
 }
 
-Discretisation find_discretisation(const Evidence& e) {
-  return e.solution.discretisation;
-}
-
 std::string find_title(const Evidence& e) {
   return e.scene.title;
-}
-
-Ladder find_ladder(const Evidence& e) {
-  return e.solution.ladder;
 }
 
 Timing find_timing(const Evidence& e) {
   Timing timing = e.solution.timing;
   if (const auto& coupled = e.of(find_slip_as_whole).coupled) timing.march += coupled->seconds;
   return timing;
-}
-
-std::optional<ReductionSummary> find_reduction(const Evidence& e) {
-  return e.solution.reduction;
-}
-
-std::vector<NaturalPeriod> find_periods(const Evidence& e) {
-  return e.solution.periods;
 }
 
 NumberedWarnings loose_warnings(const Evidence&, const Summary& summary) {
@@ -142,7 +126,7 @@ Finding discretisation_finding() {
         .object("discretisation", &Summary::discretisation, discretisation_outputs(), "how the scene was solved");
   };
   f.warnings = balance_warnings;
-  return f.part(&Summary::title, find_title).part(&Summary::discretisation, find_discretisation);
+  return f.part(&Summary::title, find_title).part(&Summary::discretisation, &Solution::discretisation);
 }
 
 Finding reduction_finding() {
@@ -152,7 +136,7 @@ Finding reduction_finding() {
              "[how far two nested models lie apart](reduced.md); null where the case was marched");
   };
   f.warnings = loose_warnings;
-  return f.part(&Summary::reduction, find_reduction);
+  return f.part(&Summary::reduction, &Solution::reduction);
 }
 
 Finding periods_finding() {
@@ -167,7 +151,7 @@ Finding periods_finding() {
            "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
         .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   };
-  return f.part(&Summary::periods, find_periods);
+  return f.part(&Summary::periods, &Solution::periods);
 }
 
 Finding ways_finding() {
@@ -177,7 +161,7 @@ Finding ways_finding() {
            "the [ways](reduced.md#the-ladder) that were tried, in their order")
         .object("timing", &Summary::timing, timing_outputs(), "wall times");
   };
-  return f.part(&Summary::ladder, find_ladder).part(&Summary::timing, find_timing);
+  return f.part(&Summary::ladder, &Solution::ladder).part(&Summary::timing, find_timing);
 }
 
 }  // namespace upbead

@@ -21,10 +21,6 @@ std::string why_not_at_rest(const std::optional<SafetySummary>& safety, const st
   return why_no_rest;
 }
 
-std::optional<SafetySummary> find_safety(const Evidence& e) {
-  return e.solution.safety;
-}
-
 Checks rest_checks(const Scene& scene, const Summary& summary) {
   const bool lacks = lacks_rest(summary), falls = !summary.why_void.empty();
   if (!summary.safety && !lacks && !(summary.nonlinear && summary.nonlinear->rest)) return {};
@@ -94,7 +90,7 @@ Finding rest_finding() {
   f.warnings = rest_warnings;
   f.checks = rest_checks;
   f.needs_no_march = true;
-  return f.part(&Summary::safety, find_safety).part(&Summary::why_void, find_why_void);
+  return f.part(&Summary::safety, &Solution::safety).part(&Summary::why_void, find_why_void);
 }
 
 }  // namespace upbead

@@ -114,10 +114,6 @@ OutputSchema<EnergyAccount> energy_outputs() {
       .key("mismatch", &E::mismatch, "", "`response.energy_mismatch`");
 }
 
-std::optional<ShearResponse> find_shear(const Evidence& e) {
-  return e.solution.shear;
-}
-
 std::vector<LoadOnCaisson> find_loads(const Evidence& e) {
   return e.simulation.compiled->loads_on_caisson;
 }
@@ -160,7 +156,7 @@ Finding shear_finding() {
                "resultant on the caisson per unit of the history");
   };
   f.skipped_of_scene = skipped_shear;
-  return f.part(&Summary::response, find_shear)
+  return f.part(&Summary::response, &Solution::shear)
       .part(&Summary::loads, find_loads)
       .part(&Summary::error, find_peak_error)
       .part(&Summary::history_error, find_history_error);
