@@ -44,9 +44,9 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   NumberedWarnings list;
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, transducer_warnings(input, simulation));
-  append(list, end_warnings(input, simulation.given.time.end));
+  append(list, end_warnings(input, simulation.given().time.end));
   append(list, unit_warnings(input));
-  append(list, flow_arm_warnings(input, *simulation.mesh));
+  append(list, flow_arm_warnings(input, *simulation.mesh()));
   append(list, notes.warnings);
   return list;
 }

@@ -30,10 +30,9 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
     Scene scene = scene_on(input, *mesh);
-    Simulation simulation(std::move(scene), std::move(mesh), std::move(processes));
+    const Simulation simulation(std::move(scene), std::move(mesh), std::move(processes));
     check_waves(input, simulation);
-    simulation.timing.mesh += seconds;
-    return simulation;
+    return simulation.with([&](auto& parts) { parts.timing.mesh += seconds; });
   });
 }
 
@@ -53,7 +52,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
 
 Run answer(const Case& input, const Solution& solution, const std::function<void(double)>& progress) {
   return in_places_of(input, [&] {
-    Run run{with_sliding(solution, scene_on(input, *solution.simulation->given_mesh)), {}};
+    Run run{with_sliding(solution, scene_on(input, *solution.simulation->given_mesh())), {}};
     const std::vector<MeasuredRecord> records = read_records(input, *run.simulation);
     run.summary = find(run, progress, case_findings(&input, &records));
     return run;

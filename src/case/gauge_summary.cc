@@ -16,7 +16,7 @@ namespace {
 Resultant on_caisson(const LoadSource& by, const Simulation& simulation) {
   const std::size_t n = by.gauges->time.size();
   Resultant sum{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
-  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson)
+  for (const LoadOnCaisson& load : simulation.compiled()->loads_on_caisson)
     for (std::size_t i = 0; i < by.gauges->count(); ++i) {
       if (load.name != by.name + "." + by.gauges->name[i]) continue;
       for (std::size_t t = 0; t < n; ++t) {

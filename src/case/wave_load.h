@@ -17,7 +17,7 @@
 
 namespace upbead {
 
-struct Simulation;
+class Simulation;
 struct Mesh;
 
 /// How the force of a wave runs in time.

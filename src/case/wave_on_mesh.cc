@@ -147,7 +147,7 @@ void check_resultants(const WaveLoad& wave, const CompiledScene& compiled, Diagn
 void check_waves(const Case& input, const Simulation& simulation) {
   Diagnostics mistakes;
   for (const WaveLoad* wave : acting_waves(input)) {
-    const auto& caisson = simulation.compiled->caisson;
+    const auto& caisson = simulation.compiled()->caisson;
     if (!caisson) {
       mistakes.add(at_key(wave->title + ".kind"), "a load by a wave acts on a caisson, and there is none",
                    "name its surface 'caisson'");
@@ -164,11 +164,11 @@ void check_waves(const Case& input, const Simulation& simulation) {
                    "weight = " + significant(wave->section.weight, 5) + " N/m is not mass x g of the caisson, " +
                        significant(weight, 5) + " N/m",
                    "give one caisson in both, within 1 %");
-    if (extent_of_curve(*simulation.mesh, wave->load.boundary).left > caisson->bottom_centre[0])
+    if (extent_of_curve(*simulation.mesh(), wave->load.boundary).left > caisson->bottom_centre[0])
       mistakes.add(at_key(wave->title + ".boundary"),
                    "'" + wave->load.boundary + "' is the landward wall of the caisson",
                    "name the seaward one: x points landward");
-    check_resultants(*wave, *simulation.compiled, mistakes);
+    check_resultants(*wave, *simulation.compiled(), mistakes);
   }
   mistakes.throw_if_any();
 }

@@ -22,7 +22,7 @@ namespace upbead {
 namespace {
 
 bool will_be_reduced(const Simulation& simulation) {
-  return choose_scheme(simulation.scene, *simulation.compiled).scheme == TimeScheme::reduced;
+  return choose_scheme(simulation.scene(), *simulation.compiled()).scheme == TimeScheme::reduced;
 }
 
 /// All that `explain` prints.
@@ -41,7 +41,7 @@ struct Explained {
 /// What was chosen for each region, and why.
 Json regions(const Explained& e) {
   Json json = Json::object();
-  for (const Decision& decision : e.simulation->decisions)
+  for (const Decision& decision : e.simulation->decisions())
     if (!decision.region.empty()) json[decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
   return json;
 }
@@ -67,9 +67,9 @@ const OutputSchema<Explained>& explained_outputs() {
   const auto size =
       OutputSchema<Simulation>()
           .key(
-              "cells", [](const Simulation& s) { return s.mesh->triangulation.n_active_cells(); }, "", "cells")
+              "cells", [](const Simulation& s) { return s.mesh()->triangulation.n_active_cells(); }, "", "cells")
           .key(
-              "unknowns", [](const Simulation& s) { return s.compiled->system.n_free(); }, "", "unknowns")
+              "unknowns", [](const Simulation& s) { return s.compiled()->system.n_free(); }, "", "unknowns")
           .key("degree", inner(&Simulation::space, &Space::degree), "", "degree of the displacement");
   const auto yielding =
       OutputSchema<YieldingExtent>()
@@ -82,7 +82,7 @@ const OutputSchema<Explained>& explained_outputs() {
           .object("discretisation", &E::simulation, size, "how the scene would be solved")
           .key("regions.NAME", regions, "", "`flow` or `kind` as chosen, and `why`")
           .named(
-              "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled->loads_on_caisson; },
+              "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled()->loads_on_caisson; },
               &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
           .named("flows.NAME", &E::flows, &FlowSummary::name, flow_outputs(), "of a load [from a CFD program](cfd.md)")
           .list("records[]", &E::records, record_outputs(), "how each column of the [files](records.md) was read")

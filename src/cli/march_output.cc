@@ -79,7 +79,7 @@ void check_checkpoints(const Case& input) {
 
 MarchObserver* FieldOutput::begin(const Simulation& simulation) {
   if (!scene_.fields_every) return nullptr;
-  writer_.emplace(simulation.mesh, simulation.space, simulation.unknowns, simulation.scene.time.inertia,
+  writer_.emplace(simulation.mesh(), simulation.space(), simulation.unknowns(), simulation.scene().time.inertia,
                   [folder = folder_](const std::string& file) { return folder->path(file); });
   writer_->take_over(taken_over_);
   return this;
@@ -142,7 +142,7 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
 }
 
 void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
-  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled->system.size()) return;
+  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled()->system.size()) return;
   throw InputError(
       input.place("time.end"),
       "with this end the scene has other unknowns than the run that was interrupted: cells that no wave "

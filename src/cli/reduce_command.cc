@@ -62,7 +62,7 @@ ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
 
 /// The bottom of the caisson; none where W' is not known.
 std::optional<ModelBase> model_base(const Simulation& simulation) {
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
   const std::optional<EffectiveBase> base = effective_base(simulation, none);
   if (!base) return std::nullopt;
@@ -81,16 +81,16 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.modes = std::move(reduction.model);
   join_pore_pressures(file.modes);
   file.loads = model_loads(input.scene, file.modes);
-  file.caisson_mass = simulation.compiled->caisson ? simulation.compiled->caisson->body.mass : 0.;
+  file.caisson_mass = simulation.compiled()->caisson ? simulation.compiled()->caisson->body.mass : 0.;
   file.end = input.scene.time.end;
   if (const auto& sliding = input.scene.sliding)
-    file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled), 0., file.end, 1).value);
+    file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled()), 0., file.end, 1).value);
   file.base = model_base(simulation);
   file.highest_frequency = summary_of(reduction).highest_frequency;
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;
   file.error_peak = reduction.error.peak;
-  file.unknowns = simulation.compiled->system.n_free();
+  file.unknowns = simulation.compiled()->system.n_free();
   file.solves = reduction.n_solves;
   file.factorisations = 1;
   return file;
@@ -124,8 +124,9 @@ struct Nested {
 Nested nest(const Simulation& simulation, const Reduction& reduction) {
   Progress progress("reducing further");
   const Stopwatch watch;
-  const System& system = simulation.compiled->system;
-  const NestedSpace space{krylov_shift(simulation.scene), reduction.n_vectors, simulation.compiled->body_coordinates};
+  const System& system = simulation.compiled()->system;
+  const NestedSpace space{krylov_shift(simulation.scene()), reduction.n_vectors,
+                          simulation.compiled()->body_coordinates};
   Nested nested;
   try {
     nested.models = nested_models(system, space, {system.reading(reading::shear_force)}, watched(progress));
@@ -221,7 +222,7 @@ std::string describe(const Reduced& made) {
 /// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
 Simulation simulation_for_waves(Case& input) {
   const Simulation simulation = simulation_of(input, settle_end(input));
-  if (!simulation.compiled->caisson)
+  if (!simulation.compiled()->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
   for (const Exclusion& reason : excluded(input.scene, Treatment::reduce_command))
@@ -235,7 +236,7 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
   std::vector<Skipped> list;
   if (!nested.why_not.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested.why_not});
   if (!slip.why_not.empty()) list.push_back({"slip of the caisson with its ground", slip.why_not});
-  if (simulation.with_interface)
+  if (simulation.with_interface())
     list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
   return list;
 }
@@ -243,7 +244,7 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
 Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
   Progress progress("reducing");
   Reduction reduction =
-      reduce_scene(simulation.scene, *simulation.compiled, {!all_readings, true, {}}, watched(progress));
+      reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
   require_converged(reduction);
   return reduction;
 }
@@ -261,7 +262,7 @@ int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   const Stopwatch watch;
   Reduced made;
   made.reduction = reduce_glued(simulation, options.all_readings);
-  made.timing = simulation.timing;
+  made.timing = simulation.timing();
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
   made.nested = nest(simulation, made.reduction);
@@ -275,7 +276,7 @@ int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   made.file.slip = made.slip.model;
   made.file.nested = made.nested.models;
   if (options.check)
-    made.file.error_march = error_against_march(made.reduction, simulation.scene, *simulation.compiled);
+    made.file.error_march = error_against_march(made.reduction, simulation.scene(), *simulation.compiled());
   folder.write("reduced.h5", model_file(made.file));
   check_interrupt();
   folder.commit();

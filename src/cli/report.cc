@@ -32,13 +32,13 @@ std::string first_of(const std::vector<std::string>& list, std::size_t most) {
 
 std::string describe_regions(const Case& input, const Simulation& simulation) {
   std::string text;
-  for (const Decision& decision : simulation.decisions) {
+  for (const Decision& decision : simulation.decisions()) {
     const std::string& name = decision.region;
     if (name.empty()) continue;
     const std::string kind = word_of(input.scene.regions.at(name).kind, region_kind_words);
     std::string line = kind + (decision.value == kind ? "" : ", " + decision.value) +
                        (decision.key == "flow" ? " flow: " : ": ") + decision.why;
-    for (const Body& body : simulation.compiled->bodies)
+    for (const Body& body : simulation.compiled()->bodies)
       if (body.region == name)
         line += format(", %.5g kg/m, centre of gravity (%.4g, %.4g) m, inertia %.4g kg m2/m", body.mass, body.centre[0],
                        body.centre[1], body.moment_of_inertia);
@@ -60,11 +60,11 @@ std::string describe_motion(const Load& load, const Scene& scene) {
 
 std::string describe_loads(const Simulation& simulation) {
   std::string text;
-  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
+  for (const LoadOnCaisson& load : simulation.compiled()->loads_on_caisson) {
     std::string line = format("  %-12s ", load.name.c_str());
-    const auto written = simulation.given.loads.find(load.name);
-    if (written != simulation.given.loads.end() && is_motion(written->second.kind)) {
-      text += line + describe_motion(written->second, simulation.given) + "\n";
+    const auto written = simulation.given().loads.find(load.name);
+    if (written != simulation.given().loads.end() && is_motion(written->second.kind)) {
+      text += line + describe_motion(written->second, simulation.given()) + "\n";
       continue;
     }
     const double largest = std::max(std::abs(load.force_x), std::abs(load.force_y));
@@ -72,7 +72,7 @@ std::string describe_loads(const Simulation& simulation) {
       line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm,
                      without_round_off(load.force_x, largest), without_round_off(load.force_y, largest));
     else
-      line += simulation.compiled->caisson ? "no horizontal force on the caisson" : "no caisson to act on";
+      line += simulation.compiled()->caisson ? "no horizontal force on the caisson" : "no caisson to act on";
     text += line + "\n";
   }
   return text;
@@ -98,7 +98,7 @@ constexpr std::size_t most_checks = 8, most_regions = 8, most_loads = 3;
 /// "caisson rigid, mound porous drained, seabed porous inertial"
 std::string list_of_regions(const Case& input, const Simulation& simulation) {
   std::vector<std::string> list;
-  for (const Decision& decision : simulation.decisions) {
+  for (const Decision& decision : simulation.decisions()) {
     if (decision.region.empty() || decision.key == "damping") continue;
     const std::string kind = word_of(input.scene.regions.at(decision.region).kind, region_kind_words);
     list.push_back(decision.region + " " + kind + (decision.value == kind ? "" : " " + decision.value));
@@ -109,7 +109,7 @@ std::string list_of_regions(const Case& input, const Simulation& simulation) {
 /// "impulse (arm 0.4 m), tail (no horizontal force)"
 std::string list_of_loads(const Simulation& simulation) {
   std::vector<std::string> list;
-  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
+  for (const LoadOnCaisson& load : simulation.compiled()->loads_on_caisson) {
     const auto arm = load.arm();
     list.push_back(load.name + (arm ? " (arm " + significant(*arm, 3) + " m)" : ""));
   }
@@ -159,30 +159,31 @@ std::string periods_of(const std::vector<NaturalPeriod>& periods) {
 std::string details(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured) {
   std::string text = input.scene.title + "\n";
   text += format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
-                 static_cast<int>(simulation.mesh->triangulation.n_active_cells()), simulation.space->degree(),
-                 simulation.unknowns->n_free(), [&] {
+                 static_cast<int>(simulation.mesh()->triangulation.n_active_cells()), simulation.space()->degree(),
+                 simulation.unknowns()->n_free(), [&] {
                    int n = 0;
-                   for (const IndexRange& block : simulation.unknowns->blocks()) n += block.size();
+                   for (const IndexRange& block : simulation.unknowns()->blocks()) n += block.size();
                    return n;
                  }());
-  if (const int n = simulation.mesh->n_high_order; n > 0)
+  if (const int n = simulation.mesh()->n_high_order; n > 0)
     text += format("            %d cells of second or higher order, read by their corners\n", n);
-  if (simulation.processes) text += format("            divided among %d processes\n", simulation.processes->count());
-  if (simulation.accuracy) text += describe(*simulation.accuracy);
+  if (simulation.processes())
+    text += format("            divided among %d processes\n", simulation.processes()->count());
+  if (simulation.accuracy()) text += describe(*simulation.accuracy());
   text += "regions\n" + describe_regions(input, simulation);
   text += "loads\n" + describe_loads(simulation) + describe(record_summaries(input, measured));
   text +=
       describe(flow_summaries(input)) + describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
-  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason +
           (choice.solves.empty() ? "" : "; " + choice.solves) + "\n";
   if (end_is_open(input))
-    text += "            until " + significant(simulation.given.time.end) + " s, " +
-            settled_end(input, *simulation.mesh).why + "\n";
+    text += "            until " + significant(simulation.given().time.end) + " s, " +
+            settled_end(input, *simulation.mesh()).why + "\n";
   text += describe(yielding_extent(simulation));
-  if (simulation.compiled->system.interface)
-    text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +
-            std::to_string(simulation.compiled->system.interface->n_nodes()) +
+  if (simulation.compiled()->system.interface)
+    text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
+            std::to_string(simulation.compiled()->system.interface->n_nodes()) +
             " nodes; followed where the bonded caisson would slip or lift at one of them\n";
   text += "skipped\n";
   for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
@@ -193,11 +194,11 @@ std::string details(const Case& input, const Simulation& simulation, const std::
 std::string brief(const Case& input, const Simulation& simulation) {
   std::string text = input.scene.title + "\n" +
                      format("mesh        %d cells of degree %d, %d unknowns: ",
-                            static_cast<int>(simulation.mesh->triangulation.n_active_cells()),
-                            simulation.space->degree(), simulation.unknowns->n_free()) +
+                            static_cast<int>(simulation.mesh()->triangulation.n_active_cells()),
+                            simulation.space()->degree(), simulation.unknowns()->n_free()) +
                      list_of_regions(input, simulation) + "\n";
-  text += "loads       " + list_of_loads(simulation) + "; until " + significant(simulation.given.time.end) + " s\n";
-  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  text += "loads       " + list_of_loads(simulation) + "; until " + significant(simulation.given().time.end) + " s\n";
+  const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
   return text + "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
 }
 

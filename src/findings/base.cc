@@ -18,16 +18,16 @@ namespace {
 /// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
 void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
                    BaseSummary& summary) {
-  const System& system = simulation.compiled->system;
-  if (!simulation.scene.base_stress) return;
-  const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space);
+  const System& system = simulation.compiled()->system;
+  if (!simulation.scene().base_stress) return;
+  const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space());
   for (std::size_t r = 0; r < system.readings.size(); ++r) {
     const ReadingName& name = system.readings[r].name;
     if (name.group != base_group || name.quantity != "normal_stress") continue;
     Eigen::Index t = 0;
     const double x = nodes[static_cast<std::size_t>(name.node)].position, B = base.width;
-    const double rest =
-        base.weight / B + 12. * base.weight_moment * (x - simulation.compiled->caisson->bottom_centre[0]) / (B * B * B);
+    const double rest = base.weight / B +
+                        12. * base.weight_moment * (x - simulation.compiled()->caisson->bottom_centre[0]) / (B * B * B);
     const double stress = rest + series.reading.row(static_cast<Eigen::Index>(r)).maxCoeff(&t);
     if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
     summary.peak_computed_pressure = stress;

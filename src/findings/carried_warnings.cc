@@ -32,9 +32,9 @@ struct Carried {
 Material mean_material(const Simulation& simulation, const std::string& region) {
   Material m;
   double sum = 0., area = 0.;
-  for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
-    if (simulation.mesh->surface_of(cell) != region) continue;
-    m = simulation.space->material(cell);
+  for (const auto& cell : simulation.mesh()->triangulation.active_cell_iterators()) {
+    if (simulation.mesh()->surface_of(cell) != region) continue;
+    m = simulation.space()->material(cell);
     sum += m.G * area_of(cell);
     area += area_of(cell);
   }
@@ -50,8 +50,8 @@ double duration_of(const Load& load) {
 
 /// The steps of the march; none where a reduced model is used.
 WaveSteps steps_of(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
-  const TimeScheme scheme = choose_scheme(scene, *simulation.compiled).scheme;
+  const Scene& scene = simulation.scene();
+  const TimeScheme scheme = choose_scheme(scene, *simulation.compiled()).scheme;
   if (scheme == TimeScheme::reduced) return {};
   const int order = scheme == TimeScheme::generalised_alpha ? 2 : 4;
   return {scene.time.step.value_or(step_of_loads(scene, order).largest_step), order};
@@ -59,11 +59,11 @@ WaveSteps steps_of(const Simulation& simulation) {
 
 Carried carried(const Simulation& simulation, const LoadedGround& ground, const std::string& name, const WaveLaw& law,
                 int degree) {
-  Carried wave{name, law, duration_of(simulation.scene.loads.at(ground.load)), {ground.cell, degree, {}}};
+  Carried wave{name, law, duration_of(simulation.scene().loads.at(ground.load)), {ground.cell, degree, {}}};
   wave.cells.steps = steps_of(simulation);
-  wave.may_raise = simulation.space->degree() == 2;
+  wave.may_raise = simulation.space()->degree() == 2;
   wave.least = std::max(ground.nearest, ground.cell);
-  const double way = ground.is_plane ? carried_speed(law, wave.duration, wave.cells) * simulation.scene.time.end : 0.;
+  const double way = ground.is_plane ? carried_speed(law, wave.duration, wave.cells) * simulation.scene().time.end : 0.;
   wave.most = std::max({wave.least, ground.farthest, way});
   return wave;
 }
@@ -188,11 +188,11 @@ void keep_worst(const NumberedWarnings& more, NumberedWarnings& list) {
 
 NumberedWarnings ring_warnings(const Simulation& simulation) {
   NumberedWarnings worst;
-  if (!simulation.scene.time.inertia) return worst;
-  const int degree = simulation.space->degree();
-  for (const LoadedGround& ground : loaded_grounds(simulation.scene, *simulation.mesh)) {
+  if (!simulation.scene().time.inertia) return worst;
+  const int degree = simulation.space()->degree();
+  for (const LoadedGround& ground : loaded_grounds(simulation.scene(), *simulation.mesh())) {
     const Material m = mean_material(simulation, ground.region);
-    const Flow flow = flow_of(simulation.scene.regions.at(ground.region));
+    const Flow flow = flow_of(simulation.scene().regions.at(ground.region));
     const auto ask = [&](const std::string& name, std::complex<double> PlaneWaves::*wave) {
       const WaveLaw law = [&m, flow, wave](std::complex<double> s) { return plane_waves(m, flow, s).*wave; };
       keep_worst(warnings_of("stress_rings", ground, carried(simulation, ground, name, law, degree)), worst);
@@ -205,10 +205,10 @@ NumberedWarnings ring_warnings(const Simulation& simulation) {
 
 NumberedWarnings slow_wave_warnings(const Simulation& simulation) {
   NumberedWarnings worst;
-  if (!simulation.scene.time.inertia) return worst;
-  const int degree = simulation.space->degree() - 1;
-  for (const LoadedGround& ground : loaded_grounds(simulation.scene, *simulation.mesh)) {
-    if (flow_of(simulation.scene.regions.at(ground.region)) != Flow::inertial || !ground.pushes) continue;
+  if (!simulation.scene().time.inertia) return worst;
+  const int degree = simulation.space()->degree() - 1;
+  for (const LoadedGround& ground : loaded_grounds(simulation.scene(), *simulation.mesh())) {
+    if (flow_of(simulation.scene().regions.at(ground.region)) != Flow::inertial || !ground.pushes) continue;
     const Material m = mean_material(simulation, ground.region);
     const WaveLaw law = [&m](std::complex<double> s) { return plane_waves(m, Flow::inertial, s).slow; };
     keep_worst(warnings_of("slow_wave_unresolved", ground,

@@ -20,18 +20,18 @@ struct RestingForces {
 
 /// Weight minus the water that the caisson displaces; a cell that the level cuts displaces its part below it.
 RestingForces submerged_weight(const Simulation& simulation, double level) {
-  const Caisson& caisson = *simulation.compiled->caisson;
-  const double middle = caisson.bottom_centre[0], g = simulation.scene.gravity;
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const double middle = caisson.bottom_centre[0], g = simulation.scene().gravity;
   RestingForces rest{caisson.body.mass * g, caisson.body.mass * g * (caisson.body.centre[0] - middle)};
-  for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
-    if (simulation.mesh->surface_of(cell) != caisson.body.region) continue;
+  for (const auto& cell : simulation.mesh()->triangulation.active_cell_iterators()) {
+    if (simulation.mesh()->surface_of(cell) != caisson.body.region) continue;
     double low = cell->vertex(0)[1], high = low;
     for (const unsigned v : cell->vertex_indices()) {
       low = std::min(low, cell->vertex(v)[1]);
       high = std::max(high, cell->vertex(v)[1]);
     }
     const double wet = std::clamp((level - low) / (high - low), 0., 1.);
-    const double lift = simulation.scene.fluid.density * g * wet * area_of(cell);
+    const double lift = simulation.scene().fluid.density * g * wet * area_of(cell);
     rest.force -= lift;
     rest.moment -= lift * (cell->center()[0] - middle);
   }
@@ -39,8 +39,8 @@ RestingForces submerged_weight(const Simulation& simulation, double level) {
 }
 
 std::optional<RestingForces> at_rest(const Simulation& simulation) {
-  const double level = water_level(simulation.scene, *simulation.mesh);
-  const auto& sliding = simulation.scene.sliding;
+  const double level = water_level(simulation.scene(), *simulation.mesh());
+  const auto& sliding = simulation.scene().sliding;
   if (!std::isfinite(level) && !sliding) return std::nullopt;
   RestingForces rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
   if (!sliding) return rest;
@@ -52,21 +52,21 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
 }  // namespace
 
 std::optional<double> weight_in_water(const Simulation& simulation) {
-  const double level = water_level(simulation.scene, *simulation.mesh);
+  const double level = water_level(simulation.scene(), *simulation.mesh());
   return std::isfinite(level) ? std::optional(submerged_weight(simulation, level).force) : std::nullopt;
 }
 
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends) {
-  if (!simulation.compiled->caisson) return std::nullopt;
+  if (!simulation.compiled()->caisson) return std::nullopt;
   const std::optional<RestingForces> rest = at_rest(simulation);
   if (!rest || !(rest->force > 0.)) return std::nullopt;
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   const auto row = [&](const char* name) { return ends.reading.row(system.reading(name)); };
   const auto N = row(reading::normal_force), M = row(reading::base_moment), U = row(reading::uplift),
              M_U = row("uplift_moment");
   const std::vector<UpliftLoad> prescribed = uplift_loads(simulation, {}, {});
   EffectiveBase base;
-  base.width = simulation.compiled->caisson->bottom_width;
+  base.width = simulation.compiled()->caisson->bottom_width;
   base.weight = rest->force;
   base.weight_moment = rest->moment;
   for (std::size_t i = 0; i < ends.time.size(); ++i) {
@@ -85,7 +85,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
 }
 
 EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time) {
-  const CompiledScene& compiled = *simulation.compiled;
+  const CompiledScene& compiled = *simulation.compiled();
   for (std::size_t i = 0; i < time.size(); ++i) {
     base.force[i] = base.weight - base.uplift[i];
     base.moment[i] = base.weight_moment + base.uplift_moment[i];

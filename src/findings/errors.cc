@@ -37,7 +37,7 @@ constexpr double least_growth = 2.;
 
 /// The simulation `other` in `part` times the steps of a solution, by the same scheme.
 Simulation in_steps_of(const Simulation& other, const Discretisation& solved, double part) {
-  Scene same = other.given;
+  Scene same = other.given();
   same.fields_every.reset();
   same.output_times.clear();
   same.time.step = part * solved.time_step * (1. + 1e-9);
@@ -53,11 +53,11 @@ double slip_by_history(const std::optional<SlidingSummary>& sliding) {
 /// S by eq. (4) if all forces at the bottom were `factor` times as large; computed with a resistance and a mass smaller
 /// by that factor.
 double slip_with_forces(const Evidence& e, double factor) {
-  Scene other = e.simulation.scene;
+  Scene other = e.simulation.scene();
   other.sliding->weight = e.of(find_slid)->weight / factor;
   other.sliding->submerged_weight /= factor;
   other.sliding->drag /= factor;
-  return slip_by_history(sliding_of(other, *e.simulation.compiled, e.solution.response));
+  return slip_by_history(sliding_of(other, *e.simulation.compiled(), e.solution.response));
 }
 
 /// Largest change of S by eq. (4) if forces are wrong by this share.
@@ -116,7 +116,7 @@ std::optional<SlipErrors> compare_reduced(const Evidence& e, const CellsCompared
     errors.as_whole = slip_error(coupled->slip.residual, {whole->coarse, whole->finer, whole->own}, by_forces);
   }
   const auto slip = [&](const Response& response) {
-    return slip_by_history(sliding_of(simulation.scene, *simulation.compiled, response));
+    return slip_by_history(sliding_of(simulation.scene(), *simulation.compiled(), response));
   };
   errors.by_history = slip_error(slip_by_history(e.of(find_slid)),
                                  {slip(bonded.coarse), slip(bonded.finer), slip(bonded.own)}, by_forces);
@@ -136,7 +136,7 @@ ContactError error_of_contact(const Evidence& e) {
   const auto march_on = [&](const Simulation& on, double part) {
     return run_contact(in_steps_of(on, e.solution.discretisation, part), {}, {});
   };
-  const auto shear = [](const Solution& s) { return shear_history(*s.simulation->compiled, s.response); };
+  const auto shear = [](const Solution& s) { return shear_history(*s.simulation->compiled(), s.response); };
   const auto slip = [](const Solution& s) { return s.contact->found.solved ? s.contact->found.solved->slip : 0.; };
   const Solution finer = march_on(with_halved_cells(simulation), 1.),
                  shorter = march_on(assembled_again(simulation), 0.5);
@@ -183,13 +183,13 @@ double largest_shear(const Spectrum& spectrum, const std::vector<std::complex<do
 }
 
 double error_of_far_sides(const Simulation& simulation, const ShearResponse& response) {
-  const Scene& scene = simulation.given;  // which is resolved anew
-  const Sides sides = far_sides(*simulation.given_mesh);
+  const Scene& scene = simulation.given();  // which is resolved anew
+  const Sides sides = far_sides(*simulation.given_mesh());
   if (sides.empty()) return 0.;
   const double duration = step_of_loads(scene, 4).duration;
   const auto spectrum_of = [&](const Scene& other) {
-    const Simulation coarse = on_mesh(other, simulation.given_mesh);
-    return solve_spectrum(coarse.scene, *coarse.compiled, response.peak_shear_time);
+    const Simulation coarse = on_mesh(other, simulation.given_mesh());
+    return solve_spectrum(coarse.scene(), *coarse.compiled(), response.peak_shear_time);
   };
   const Spectrum given = spectrum_of(scene);
   const auto spectrum_with = [&](const Boundary& kind) {
@@ -217,12 +217,12 @@ TimeGrid halved(TimeGrid grid) {
 /// half the error, even where steps do not resolve corners of the loads, or stiff waves lower the order.
 ShearError error_of_steps(const Solution& solution) {
   constexpr double whole = 2.;
-  const Simulation coarse = on_mesh(solution.simulation->given, solution.simulation->given_mesh);
+  const Simulation coarse = on_mesh(solution.simulation->given(), solution.simulation->given_mesh());
   const auto answer = [&](const TimeGrid& grid) {
     const bool alpha = solution.response.order == 2;
-    return marched_shear(*coarse.compiled, alpha ? SchemeKind::generalised_alpha : SchemeKind::sdirk4, grid);
+    return marched_shear(*coarse.compiled(), alpha ? SchemeKind::generalised_alpha : SchemeKind::sdirk4, grid);
   };
-  const TimeGrid grid = make_time_grid(kinks(coarse.compiled->system), coarse.scene.time.end,
+  const TimeGrid grid = make_time_grid(kinks(coarse.compiled()->system), coarse.scene().time.end,
                                        solution.discretisation.time_step * (1. + 1e-9));
   const ShearError moved = difference(answer(grid), answer(halved(grid)));
   return {whole * moved.peak, whole * moved.history};
@@ -230,7 +230,7 @@ ShearError error_of_steps(const Solution& solution) {
 
 /// The comparison of cells; it exists where the mesh was made for the tolerance, unless the soil has changed since.
 std::shared_ptr<const CellsCompared> compared_cells(const Simulation& simulation) {
-  if (simulation.accuracy && !simulation.soil) return simulation.accuracy->compared;
+  if (simulation.accuracy() && !simulation.soil()) return simulation.accuracy()->compared;
   return std::make_shared<const CellsCompared>(compare_cells(simulation));
 }
 
@@ -254,7 +254,7 @@ SlipErrors slip_errors(const Evidence& e, const Errors& of_shear, const CellsCom
 
 bool asks_for_errors(const Evidence& e) {
   return e.solution.shear && e.scene.time.inertia && !yields(e.scene) &&
-         (e.simulation.accuracy || e.scene.accuracy.estimate);
+         (e.simulation.accuracy() || e.scene.accuracy.estimate);
 }
 
 std::string why_no_slip_error(const Scene& given) {

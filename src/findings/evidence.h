@@ -14,7 +14,7 @@ class Evidence {
  public:
   /// The solution must outlive this. `progress`: called with 0 to 1 by findings that compute long; may be empty.
   explicit Evidence(const Solution& what, std::function<void(double)> while_finding = {})
-      : solution(what), simulation(*what.simulation), scene(simulation.scene), progress(std::move(while_finding)) {}
+      : solution(what), simulation(*what.simulation), scene(simulation.scene()), progress(std::move(while_finding)) {}
 
   /// What that function makes of this evidence. It is called once, so that findings may ask for each other in any
   /// order.

@@ -20,36 +20,36 @@ constexpr double usual_friction = 0.6;  // of concrete on rubble, where the case
 
 /// Top of the waters on one side of the caisson; -infinity without any.
 double level_beside(const Simulation& simulation, double side) {
-  const double middle = simulation.compiled->caisson->bottom_centre[0];
+  const double middle = simulation.compiled()->caisson->bottom_centre[0];
   double level = -infinity;
-  for (const auto& [name, extent] : outline_of(*simulation.given_mesh).surfaces) {
-    const auto region = simulation.scene.regions.find(name);
-    if (region == simulation.scene.regions.end() || region->second.kind != RegionKind::water) continue;
+  for (const auto& [name, extent] : outline_of(*simulation.given_mesh()).surfaces) {
+    const auto region = simulation.scene().regions.find(name);
+    if (region == simulation.scene().regions.end() || region->second.kind != RegionKind::water) continue;
     if (side * (0.5 * (extent.left + extent.right) - middle) > 0.) level = std::max(level, extent.highest);
   }
   return level;
 }
 
 double resistance_of(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
+  const Scene& scene = simulation.scene();
   if (scene.sliding) return scene.sliding->friction * scene.sliding->submerged_weight;
-  return usual_friction * simulation.compiled->caisson->body.mass * scene.gravity;
+  return usual_friction * simulation.compiled()->caisson->body.mass * scene.gravity;
 }
 
 /// None without a caisson between two waters of the mesh, where both stand at one level, or where the loads end with
 /// that push: then it is one of them.
 std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
-  if (!simulation.compiled->caisson) return std::nullopt;
+  if (!simulation.compiled()->caisson) return std::nullopt;
   HarbourSummary h{level_beside(simulation, -1.), level_beside(simulation, 1.), 0., 0.};
   if (!std::isfinite(h.front) || !std::isfinite(h.back) || std::abs(h.front - h.back) <= same_level)
     return std::nullopt;
-  const Caisson& caisson = *simulation.compiled->caisson;
-  const double unit_weight = simulation.scene.fluid.density * simulation.scene.gravity;
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const double unit_weight = simulation.scene().fluid.density * simulation.scene().gravity;
   const double front = std::max(h.front - caisson.bottom_centre[1], 0.),
                back = std::max(h.back - caisson.bottom_centre[1], 0.);
   h.push = 0.5 * unit_weight * (front * front - back * back);
   // a load that ends with that push is the push
-  const double held = force_on_caisson(*simulation.compiled)(simulation.scene.time.end);
+  const double held = force_on_caisson(*simulation.compiled())(simulation.scene().time.end);
   if (std::abs(held - h.push) <= same_push * std::abs(h.push)) return std::nullopt;
   // the pressure under the base falls in a straight line from one level to the other; W' has that of the higher one
   h.weight_gained = 0.5 * unit_weight * caisson.bottom_width * std::abs(front - back);

@@ -16,9 +16,9 @@ namespace {
 
 /// Readings along the bottom, by time and node.
 std::vector<Dataset> base_tables(const Simulation& simulation, const Series& series) {
-  if (!simulation.compiled->caisson || !simulation.scene.base_stress) return {};
+  if (!simulation.compiled()->caisson || !simulation.scene().base_stress) return {};
   std::vector<double> x, length;
-  for (const InterfaceNode& node : interface_nodes(*simulation.space)) {
+  for (const InterfaceNode& node : interface_nodes(*simulation.space())) {
     x.push_back(node.position);
     length.push_back(node.length);
   }
@@ -27,8 +27,8 @@ std::vector<Dataset> base_tables(const Simulation& simulation, const Series& ser
       {"base/length", "m", "length that each node stands for: a stress times it is a force", length}};
   std::map<std::string, Dataset> tables;
   const std::size_t n = series.time.size();
-  for (std::size_t i = 0; i < simulation.compiled->system.readings.size(); ++i) {
-    const Reading& reading = simulation.compiled->system.readings[i];
+  for (std::size_t i = 0; i < simulation.compiled()->system.readings.size(); ++i) {
+    const Reading& reading = simulation.compiled()->system.readings[i];
     if (reading.name.group != base_group) continue;
     const std::string& what = reading.name.quantity;
     Dataset& table = tables[what];
@@ -111,18 +111,18 @@ std::vector<double> equal_times(const Scene& scene) {
 }  // namespace
 
 Trajectory trajectory_of(const Solution& solution) {
-  return {solution.simulation->compiled->system, solution.response, solution.model ? &*solution.model : nullptr};
+  return {solution.simulation->compiled()->system, solution.response, solution.model ? &*solution.model : nullptr};
 }
 
 HistoryRows history_rows(const Solution& solution) {
   const Trajectory trajectory = trajectory_of(solution);
   const Simulation& simulation = *solution.simulation;
-  const Rows rows = trajectory.rows(not_of_base(simulation.compiled->system), whole_tolerance(simulation), most_rows);
+  const Rows rows = trajectory.rows(not_of_base(simulation.compiled()->system), whole_tolerance(simulation), most_rows);
   return {trajectory.at(rows.time), rows.error};
 }
 
 std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   std::vector<Dataset> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const Reading& reading = system.readings[i];
@@ -137,7 +137,7 @@ std::vector<Dataset> histories(const Simulation& simulation, const Series& serie
 }
 
 std::string times_csv(const Run& run) {
-  const std::vector<double>& times = run.simulation->scene.output_times;
+  const std::vector<double>& times = run.simulation->scene().output_times;
   const std::vector<Dataset> list = histories(*run.simulation, trajectory_of(run).at(times));
   std::string text;
   for (const Dataset& column : list)
@@ -151,13 +151,13 @@ std::string times_csv(const Run& run) {
 }
 
 std::vector<Dataset> names_of_histories(const Simulation& simulation) {
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   const auto none = [](std::size_t n) { return Eigen::MatrixXd(static_cast<Eigen::Index>(n), 0); };
   return histories(simulation, {{}, none(system.readings.size()), none(system.loads.size())});
 }
 
 std::vector<Dataset> tables(const Run& run) {
-  const Scene& scene = run.simulation->scene;
+  const Scene& scene = run.simulation->scene();
   const Trajectory trajectory = trajectory_of(run);
   std::vector<Dataset> all;
   const auto add = [&](const std::string& folder, const Series& series, const std::string& of_rows) {

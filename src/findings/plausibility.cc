@@ -28,10 +28,10 @@ Quantity of(Quantity share, double whole, const char* unit, const char* usual, s
 class OnItsMesh {
  public:
   OnItsMesh(const Simulation& simulation, NumberedWarnings& list)
-      : simulation_(simulation), scene_(simulation.given), list_(list) {
-    for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
+      : simulation_(simulation), scene_(simulation.given()), list_(list) {
+    for (const auto& cell : simulation.mesh()->triangulation.active_cell_iterators()) {
       all_.add(cell);
-      regions_[simulation.mesh->surface_of(cell)].add(cell);
+      regions_[simulation.mesh()->surface_of(cell)].add(cell);
     }
   }
 
@@ -131,8 +131,8 @@ class OnItsMesh {
 
   void judge_loads() {
     std::map<std::string, double> forces;  // of the transducers of a row together
-    const auto& caisson = simulation_.compiled->caisson;
-    for (const LoadOnCaisson& on : simulation_.compiled->loads_on_caisson) {
+    const auto& caisson = simulation_.compiled()->caisson;
+    for (const LoadOnCaisson& on : simulation_.compiled()->loads_on_caisson) {
       const auto found = scene_.loads.find(on.name);
       if (found == scene_.loads.end()) continue;
       const Load& load = found->second;
@@ -167,10 +167,10 @@ class OnItsMesh {
 };
 
 void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
-  const auto& sliding = simulation.scene.sliding;
-  if (!sliding || !simulation.compiled->caisson) return;
+  const auto& sliding = simulation.scene().sliding;
+  if (!sliding || !simulation.compiled()->caisson) return;
   const double given = sliding->submerged_weight;
-  const double in_air = simulation.compiled->caisson->body.mass * simulation.scene.gravity;
+  const double in_air = simulation.compiled()->caisson->body.mass * simulation.scene().gravity;
   const std::optional<double> in_water = weight_in_water(simulation);
   if (!in_water) {
     if (given < 0.99 * in_air)
@@ -244,7 +244,7 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
 
 NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
-  const Scene& scene = simulation.given;
+  const Scene& scene = simulation.given();
   judge_fluid(scene.fluid, list);
   for (const auto& [name, region] : scene.regions) {
     const std::string at = "regions." + name + ".";
@@ -263,16 +263,16 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }
-  if (const int n = simulation.mesh->n_divided_triangles; n > 0)
+  if (const int n = simulation.mesh()->n_divided_triangles; n > 0)
     list.push_back({"triangles_divided", static_cast<double>(n), 0., "1",
                     std::to_string(n) +
                         " triangles of the mesh were divided into three quadrilaterals each, and its "
                         "quadrilaterals into four: " +
-                        std::to_string(simulation.mesh->triangulation.n_active_cells()) +
+                        std::to_string(simulation.mesh()->triangulation.n_active_cells()) +
                         " cells; quadrilaterals from the start need fewer unknowns",
                     "mesh by transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1"});
   constexpr double straight = 1e-6;
-  if (const double bent = simulation.mesh->most_bent; bent > straight)
+  if (const double bent = simulation.mesh()->most_bent; bent > straight)
     list.push_back({"sides_straightened", bent, straight, "1",
                     "cells of second order have curved sides, up to " + percent(bent) +
                         " of a side's length from its chord; they are read by their corners, with straight sides",

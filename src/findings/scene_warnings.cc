@@ -21,11 +21,11 @@ namespace {
 /// the caisson's bottom and V_s the slowest shear wave of the ground near it; D alone without a caisson. None where
 /// no load has a duration, or there is no inertia.
 std::optional<double> passing_time(const Simulation& simulation) {
-  const double duration = shortest_duration(simulation.scene);
-  if (!simulation.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
+  const double duration = shortest_duration(simulation.scene());
+  if (!simulation.scene().time.inertia || !std::isfinite(duration)) return std::nullopt;
   double time = duration;
-  if (simulation.compiled->caisson)
-    for (const WaveResolution& at : wave_resolution(*simulation.space, *simulation.compiled->caisson, duration))
+  if (simulation.compiled()->caisson)
+    for (const WaveResolution& at : wave_resolution(*simulation.space(), *simulation.compiled()->caisson, duration))
       time = std::max(time, at.wavelength / at.speed);
   return time > 0. ? std::optional(time) : std::nullopt;
 }
@@ -68,24 +68,24 @@ std::string rough_percent(double share) {
 /// Warning step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a
 /// 32nd of it (order 2). None where a reduced model is used.
 NumberedWarnings step_warnings(const Simulation& simulation) {
-  if (!simulation.scene.time.step) return {};
+  if (!simulation.scene().time.step) return {};
   const std::optional<double> time = passing_time(simulation);
   if (!time) return {};
-  const TimeScheme scheme = choose_scheme(simulation.scene, *simulation.compiled).scheme;
+  const TimeScheme scheme = choose_scheme(simulation.scene(), *simulation.compiled()).scheme;
   if (scheme == TimeScheme::reduced) return {};
   const StepRule rule = scheme == TimeScheme::generalised_alpha ? of_order_2 : of_order_4;
-  const double step = *simulation.scene.time.step, limit = *time / rule.steps;
+  const double step = *simulation.scene().time.step, limit = *time / rule.steps;
   if (step <= limit) return {};
   return {{"step_too_coarse", step, limit, "s",
            "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
-               " s: the history of " + (simulation.compiled->caisson ? "F_T" : "a reading") + " may err by " +
+               " s: the history of " + (simulation.compiled()->caisson ? "F_T" : "a reading") + " may err by " +
                rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak",
            "give time.step at most " + significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
 /// Warning jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
 NumberedWarnings jump_warnings(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
+  const Scene& scene = simulation.scene();
   if (scene.time.inertia || scene.time.scheme != TimeScheme::generalised_alpha || shortest_duration(scene) > 0.)
     return {};
   const double step = scene.time.step.value_or(step_of_loads(scene, 2).largest_step);
@@ -100,9 +100,9 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
 NumberedWarnings motion_warnings(const Simulation& simulation) {
   constexpr double at_rest = 0.05;  // of the largest velocity
   NumberedWarnings list;
-  for (const auto& [name, load] : simulation.scene.loads) {
+  for (const auto& [name, load] : simulation.scene().loads) {
     if (load.kind != LoadKind::acceleration || load.factor == 0. || load.history.kinks().empty()) continue;
-    const double last = load.history.kinks().back(), end = simulation.scene.time.end;
+    const double last = load.history.kinks().back(), end = simulation.scene().time.end;
     if (last > end) continue;
     const double largest =
         std::max(extremum(load.history, 0., end, 1).value, -extremum(load.history, 0., end, -1).value);
@@ -123,17 +123,17 @@ NumberedWarnings motion_warnings(const Simulation& simulation) {
 /// Warning mesh_too_coarse: fewer than 4 cells in a wavelength (response/ground_waves.h), or 3 where u is of degree
 /// 3; not where the mesh was made for the tolerance.
 NumberedWarnings mesh_warnings(const Simulation& simulation) {
-  const double duration = shortest_duration(simulation.scene);
-  if (!simulation.scene.time.inertia || !std::isfinite(duration) || !simulation.compiled->caisson ||
-      simulation.accuracy)
+  const double duration = shortest_duration(simulation.scene());
+  if (!simulation.scene().time.inertia || !std::isfinite(duration) || !simulation.compiled()->caisson ||
+      simulation.accuracy())
     return {};
   NumberedWarnings list;
-  for (const WaveResolution& at : wave_resolution(*simulation.space, *simulation.compiled->caisson, duration)) {
-    const bool rings = duration > 0. && is_undamped(simulation.scene.regions.at(at.region), duration);
+  for (const WaveResolution& at : wave_resolution(*simulation.space(), *simulation.compiled()->caisson, duration)) {
+    const bool rings = duration > 0. && is_undamped(simulation.scene().regions.at(at.region), duration);
     const CellsToWave wide =
-        cells_to_wave(at, at.wavelength, simulation.space->degree() == 2 ? of_degree_2 : of_degree_3);
+        cells_to_wave(at, at.wavelength, simulation.space()->degree() == 2 ? of_degree_2 : of_degree_3);
     const CellsToWave free =
-        cells_to_wave(at, at.speed * duration, simulation.space->degree() == 2 ? undamped_2 : undamped_3);
+        cells_to_wave(at, at.speed * duration, simulation.space()->degree() == 2 ? undamped_2 : undamped_3);
     const CellsToWave worst = rings && free.error > wide.error ? free : wide;
     if (worst.cells < worst.limit)
       list.push_back({"mesh_too_coarse", worst.cells, worst.limit, "1",
@@ -162,15 +162,15 @@ std::string cure(const BoundaryReflection& reflection, double end) {
 /// it), and the loads are shorter than the echo takes, or the side is nearer than the caisson is wide. `peak_time`:
 /// of F_T, where that is known.
 NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
-  const double end = simulation.scene.time.end;
+  const double end = simulation.scene().time.end;
   const std::optional<double> time = passing_time(simulation);
-  if (!time || !simulation.compiled->caisson) return {};
-  const std::optional<BoundaryReflection> reflection = first_reflection(simulation.scene, *simulation.space);
+  if (!time || !simulation.compiled()->caisson) return {};
+  const std::optional<BoundaryReflection> reflection = first_reflection(simulation.scene(), *simulation.space());
   if (!reflection ||
-      reflection->time() * delay(reflection->distance / simulation.compiled->caisson->bottom_width) >= end)
+      reflection->time() * delay(reflection->distance / simulation.compiled()->caisson->bottom_width) >= end)
     return {};
-  const bool is_fast = shortest_duration(simulation.scene) < reflection->time();
-  if (!is_fast && reflection->distance >= simulation.compiled->caisson->bottom_width) return {};
+  const bool is_fast = shortest_duration(simulation.scene()) < reflection->time();
+  if (!is_fast && reflection->distance >= simulation.compiled()->caisson->bottom_width) return {};
   const double peak_in_it = peak_time && *peak_time > reflection->time() ? *peak_time : 0.;
   return {{"walls_too_near", reflection->time(), end, "s",
            "the side '" + reflection->side + "' is " + significant(reflection->distance) + " m away, shear waves of " +
@@ -190,23 +190,23 @@ constexpr double least_crossings = 4.;
 /// Time from the beginning of the first horizontal load on the caisson to the end of the last one (s). The whole run
 /// where a load lasts, as the slow part of a load makes the peak of F_T even where it begins with a jump.
 double time_of_loads(const Simulation& simulation) {
-  double first = simulation.scene.time.end, last = 0.;
-  for (std::size_t k = 0; k < simulation.compiled->loads_on_caisson.size(); ++k) {
-    const TimeFunction& f = simulation.compiled->system.loads[k].history;
-    if (!simulation.compiled->loads_on_caisson[k].arm() || f.kinks().empty()) continue;
+  double first = simulation.scene().time.end, last = 0.;
+  for (std::size_t k = 0; k < simulation.compiled()->loads_on_caisson.size(); ++k) {
+    const TimeFunction& f = simulation.compiled()->system.loads[k].history;
+    if (!simulation.compiled()->loads_on_caisson[k].arm() || f.kinks().empty()) continue;
     first = std::min(first, f.kinks().front());
-    last = std::max(last, f(f.kinks().back() + 1.) == 0. ? f.kinks().back() : simulation.scene.time.end);
+    last = std::max(last, f(f.kinks().back() + 1.) == 0. ? f.kinks().back() : simulation.scene().time.end);
   }
-  return last > first ? last - first : simulation.scene.time.end;
+  return last > first ? last - first : simulation.scene().time.end;
 }
 
 /// Warning fast_load: all loads on the rigid caisson are over before sound has crossed it four times.
 NumberedWarnings load_warnings(const Simulation& simulation) {
-  if (!simulation.compiled->caisson || !simulation.scene.time.inertia) return {};
-  if (simulation.scene.regions.at(caisson_name).kind != RegionKind::rigid) return {};
+  if (!simulation.compiled()->caisson || !simulation.scene().time.inertia) return {};
+  if (simulation.scene().regions.at(caisson_name).kind != RegionKind::rigid) return {};
   double left = infinity, right = -infinity, area = 0.;
-  for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
-    if (simulation.mesh->surface_of(cell) != caisson_name) continue;
+  for (const auto& cell : simulation.mesh()->triangulation.active_cell_iterators()) {
+    if (simulation.mesh()->surface_of(cell) != caisson_name) continue;
     area += area_of(cell);
     for (const unsigned v : cell->vertex_indices()) {
       left = std::min(left, cell->vertex(v)[0]);
@@ -215,7 +215,7 @@ NumberedWarnings load_warnings(const Simulation& simulation) {
   }
   const double constrained =
       youngs_modulus * (1. - poissons_ratio) / ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
-  const double sound = std::sqrt(constrained * area / simulation.compiled->caisson->body.mass);
+  const double sound = std::sqrt(constrained * area / simulation.compiled()->caisson->body.mass);
   const double limit = least_crossings * (right - left) / sound, time = time_of_loads(simulation);
   if (time >= limit) return {};
   return {{"fast_load", time, limit, "s",
@@ -255,13 +255,13 @@ double build_up(const Scene& scene) {
 /// Warning smallest_step: the pressure at a probe or in the fields oscillates from cell to cell beside a face where
 /// soil drains (response/drainage.h).
 NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
+  const Scene& scene = simulation.scene();
   if (scene.probes.empty() && !scene.fields_every) return {};
-  const int degree = simulation.space->degree() - 1;
+  const int degree = simulation.space()->degree() - 1;
   const double time = build_up(scene);
   if (!(time > 0.) || time > scene.time.end) return {};
   std::map<std::string, NumberedWarning> worst;  // by soil
-  for (const DrainedFace& face : drained_faces(scene, *simulation.mesh)) {
+  for (const DrainedFace& face : drained_faces(scene, *simulation.mesh())) {
     const double limit = smallest_time(face, degree);
     if (time >= limit) continue;
     const std::string who = onlooker(scene, face);
@@ -302,11 +302,11 @@ std::string cure(const DrainedLayer& layer, int degree) {
 /// conductivity, which softens the ground so much that F_T may err by more than 5 % (response/drainage.h); not where
 /// the mesh was made for the tolerance.
 NumberedWarnings layer_warnings(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
-  if (!simulation.compiled->caisson || !scene.time.inertia || simulation.accuracy) return {};
+  const Scene& scene = simulation.scene();
+  if (!simulation.compiled()->caisson || !scene.time.inertia || simulation.accuracy()) return {};
   const double duration = step_of_loads(scene, 4).duration;
   const std::optional<DrainedLayer> layer =
-      drained_layer(scene, *simulation.space, *simulation.compiled->caisson, 0.5 * duration);
+      drained_layer(scene, *simulation.space(), *simulation.compiled()->caisson, 0.5 * duration);
   if (!layer) return {};
   const double error = at_most * layer->share();
   if (error <= largest_layer_error) return {};
@@ -317,15 +317,15 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
                std::to_string(std::lround(100. * layer->share())) +
                " % of the compliance of the ground under the caisson" + ": F_T may err by up to " +
                std::to_string(std::lround(100. * error)) + " %",
-           cure(*layer, simulation.space->degree())}};
+           cure(*layer, simulation.space()->degree())}};
 }
 
 /// Warning mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/ground_waves.h).
 NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
   constexpr double least = 1.;  // thickness over the cells' length: docs/warnings.md
-  if (!simulation.scene.time.inertia || !simulation.compiled->caisson || simulation.accuracy) return {};
+  if (!simulation.scene().time.inertia || !simulation.compiled()->caisson || simulation.accuracy()) return {};
   NumberedWarnings list;
-  for (const ThinLayer& layer : thin_layers(*simulation.space, *simulation.compiled->caisson))
+  for (const ThinLayer& layer : thin_layers(*simulation.space(), *simulation.compiled()->caisson))
     if (const double n = layer.cells_per_thickness(); n < least)
       list.push_back({"mesh_too_coarse", n, least, "1",
                       "region '" + layer.region + "' is a soft layer of " + significant(layer.thickness, 2) +
@@ -349,9 +349,9 @@ NumberedWarnings scene_warnings(const Simulation& simulation, const std::optiona
 /// What the scene lets be left out, with the numbers; `reduced`: whether a reduced model solves it.
 SkippedList skipped_in_scene(const Simulation& simulation, bool reduced) {
   SkippedList list;
-  for (const Decision& decision : simulation.decisions)
+  for (const Decision& decision : simulation.decisions())
     if (!decision.left_out.empty()) list.push_back({decision.left_out, decision.why});
-  for (const auto& [name, load] : simulation.scene.loads)
+  for (const auto& [name, load] : simulation.scene().loads)
     if (load.factor == 0.) {
       list.push_back({"load " + name, "its factor is 0"});
     } else if (const auto& samples = load.history.samples(); !reduced && is_rough(load.history)) {
@@ -361,8 +361,8 @@ SkippedList skipped_in_scene(const Simulation& simulation, bool reduced) {
                           "time.scheme = \"reduced\", smooth it, or give time.step = its sampling interval, " +
                           significant(samples[1] - samples[0]) + " s"});
     }
-  if (!simulation.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
-  if (!simulation.scene.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
+  if (!simulation.scene().fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
+  if (!simulation.scene().time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
   return list;
 }
 

@@ -115,7 +115,7 @@ OutputSchema<EnergyAccount> energy_outputs() {
 }
 
 std::vector<LoadOnCaisson> find_loads(const Evidence& e) {
-  return e.simulation.compiled->loads_on_caisson;
+  return e.simulation.compiled()->loads_on_caisson;
 }
 
 std::optional<EnergyAccount> find_energy(const Evidence& e) {
@@ -132,7 +132,7 @@ std::optional<ErrorEstimate> find_history_error(const Evidence& e) {
 }
 
 SkippedList skipped_shear(const Simulation& simulation, bool) {
-  if (simulation.compiled->caisson) return {};
+  if (simulation.compiled()->caisson) return {};
   return {{"shear force", "the mesh has no surface 'caisson'"}};
 }
 

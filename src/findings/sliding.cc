@@ -277,7 +277,7 @@ const Solution& bonded_of(const Evidence& e) {
 
 std::optional<SlidingSummary> find_slid(const Evidence& e) {
   const Solution& bonded = bonded_of(e);
-  return sliding_of(e.scene, *bonded.simulation->compiled, bonded.response);
+  return sliding_of(e.scene, *bonded.simulation->compiled(), bonded.response);
 }
 
 SlipAsWhole find_slip_as_whole(const Evidence& e) {

@@ -20,7 +20,7 @@ OutputSchema<SoilSummary> soil_outputs() {
 }
 
 std::optional<SoilSummary> find_soil(const Evidence& e) {
-  return e.simulation.soil;
+  return e.simulation.soil();
 }
 
 }  // namespace

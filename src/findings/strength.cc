@@ -36,7 +36,7 @@ SkippedList skipped_strength(const Evidence& e, const Summary&) {
 }
 
 SkippedList no_strength(const Simulation& simulation, bool) {
-  if (!simulation.compiled->caisson || has_strength(simulation.scene) || yields(simulation.scene)) return {};
+  if (!simulation.compiled()->caisson || has_strength(simulation.scene()) || yields(simulation.scene())) return {};
   return {{"strength of the soil", "no region has a table strength"}};
 }
 
@@ -71,7 +71,7 @@ NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
 SkippedList skipped_pressure(const Evidence& e, const Summary&) {
   const Watched& watched = *e.solution.watched;
   if (watched.pressure && (!watched.pressure->watches() || watched.pressure->has_seen())) return {};
-  if (!e.simulation.compiled->caisson) return {};
+  if (!e.simulation.compiled()->caisson) return {};
   return {{"cavitation of the water", watched.pressure ? "the contact was not marched" : watched.why_no_pressure}};
 }
 

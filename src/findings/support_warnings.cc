@@ -30,18 +30,18 @@ void for_each_displacement(const Space& space, const Visit& visit) {
 
 /// The section's unit translation along an axis, as unknowns; none where a condition or a spring holds it.
 std::optional<Vector> free_translation(const Simulation& simulation, unsigned axis) {
-  const Unknowns& unknowns = *simulation.unknowns;
-  const System& system = simulation.compiled->system;
+  const Unknowns& unknowns = *simulation.unknowns();
+  const System& system = simulation.compiled()->system;
   Vector r = Vector::Zero(unknowns.size());
-  for_each_displacement(*simulation.space, [&](auto dof, unsigned component) {
+  for_each_displacement(*simulation.space(), [&](auto dof, unsigned component) {
     const Row& row = unknowns.expansion(dof);
     if (component == axis && row.size() == 1 && row[0].first < unknowns.n_free()) r[row[0].first] = 1. / row[0].second;
   });
-  for (std::size_t b = 0; b < simulation.compiled->bodies.size(); ++b)
+  for (std::size_t b = 0; b < simulation.compiled()->bodies.size(); ++b)
     for (int m = 0; m < n_motions; ++m) r[unknowns.coordinate(b, m)] = m == (axis == 0 ? motion_x : motion_y) ? 1. : 0.;
   const Vector moved = unknowns.expand(r);
   bool is_free = r.squaredNorm() > 0.;
-  for_each_displacement(*simulation.space, [&](auto dof, unsigned component) {
+  for_each_displacement(*simulation.space(), [&](auto dof, unsigned component) {
     is_free = is_free && std::abs(moved[dof] - (component == axis ? 1. : 0.)) < round_off;
   });
   if (!is_free) return {};
@@ -52,7 +52,7 @@ std::optional<Vector> free_translation(const Simulation& simulation, unsigned ax
 
 /// What the loads do in all along r (N s/m); not the motion of a base, which may shift the section.
 double impulse_along(const Simulation& simulation, const Vector& r) {
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   std::set<int> of_frames(system.frame_damping.loads.begin(), system.frame_damping.loads.end());
   of_frames.insert(system.frame_radiation.loads.begin(), system.frame_radiation.loads.end());
   double sum = 0.;
@@ -60,7 +60,7 @@ double impulse_along(const Simulation& simulation, const Vector& r) {
     const SystemLoad& load = system.loads[k];
     const double force = load.prescribed < 0 && !of_frames.count(static_cast<int>(k)) ? load.vector.dot(r) : 0.;
     if (std::abs(force) > round_off * load.vector.cwiseAbs().dot(r.cwiseAbs()))
-      sum += force * integral(load.history, 0., simulation.scene.time.end);
+      sum += force * integral(load.history, 0., simulation.scene().time.end);
   }
   return sum;
 }
@@ -69,12 +69,13 @@ double impulse_along(const Simulation& simulation, const Vector& r) {
 NumberedWarnings drift_warnings(const Simulation& simulation) {
   constexpr double least_drift = 1e-5;  // m
   NumberedWarnings list;
-  if (!simulation.scene.time.inertia || simulation.processes) return list;
+  if (!simulation.scene().time.inertia || simulation.processes()) return list;
   for (const unsigned axis : {0U, 1U}) {
     const std::optional<Vector> r = free_translation(simulation, axis);
     if (!r) continue;
-    const System& system = simulation.compiled->system;
-    const double impulse = impulse_along(simulation, *r), mass = r->dot(system.M * *r), end = simulation.scene.time.end;
+    const System& system = simulation.compiled()->system;
+    const double impulse = impulse_along(simulation, *r), mass = r->dot(system.M * *r),
+                 end = simulation.scene().time.end;
     const double decay = r->dot(system.C * *r) / mass;
     const double drift = impulse / mass * (decay * end > round_off ? -std::expm1(-decay * end) / decay : end);
     if (!(std::abs(drift) > least_drift)) continue;
@@ -102,7 +103,7 @@ bool is_soil(const Scene& scene, const std::string& surface) {
 }
 
 NumberedWarnings side_warnings(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
+  const Scene& scene = simulation.scene();
   const bool shaken = std::any_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
     return entry.second.factor != 0. && scene.boundaries.count(entry.second.boundary) &&
            moves_frame(scene, entry.second);
@@ -110,7 +111,7 @@ NumberedWarnings side_warnings(const Simulation& simulation) {
   if (!shaken) return {};
   std::string names;
   double n = 0.;
-  for (const auto& [name, surfaces] : far_sides(*simulation.mesh)) {
+  for (const auto& [name, surfaces] : far_sides(*simulation.mesh())) {
     const auto side = scene.boundaries.find(name);
     if (side == scene.boundaries.end() || is_moved(scene, name)) continue;
     const DisplacementCondition condition = side->second.displacement;
@@ -137,18 +138,18 @@ struct GroundBelow {
 };
 
 GroundBelow ground_below(const Simulation& simulation) {
-  const Caisson& caisson = *simulation.compiled->caisson;
+  const Caisson& caisson = *simulation.compiled()->caisson;
   const double half = 0.5 * caisson.bottom_width;
   GroundBelow ground;
   double compliance = 0., thickness = 0.;
-  for (const auto& cell : simulation.space->dofs().active_cell_iterators()) {
+  for (const auto& cell : simulation.space()->dofs().active_cell_iterators()) {
     const auto from = cell->center() - caisson.bottom_centre;
-    if (simulation.mesh->surface_of(cell) == caisson_name ||
-        !is_soil(simulation.scene, simulation.mesh->surface_of(cell)))
+    if (simulation.mesh()->surface_of(cell) == caisson_name ||
+        !is_soil(simulation.scene(), simulation.mesh()->surface_of(cell)))
       continue;
     for (const unsigned v : cell->vertex_indices()) ground.lowest = std::min(ground.lowest, cell->vertex(v)[1]);
     if (std::abs(from[0]) > half || -from[1] > 2. * half || from[1] > 0.) continue;
-    compliance += area_of(cell) / simulation.space->material(cell).constrained_modulus();
+    compliance += area_of(cell) / simulation.space()->material(cell).constrained_modulus();
     thickness += area_of(cell);
   }
   if (compliance > 0.) ground.modulus = thickness / compliance;
@@ -169,9 +170,9 @@ NumberedWarnings impact_warnings(const Solution& solution) {
   constexpr double steps_in_impact = 10.;  // docs/warnings.md
   const Simulation& simulation = *solution.simulation;
   const auto& contact = solution.contact;
-  if (!contact || !contact->found.solved || contact->found.solved->impacts == 0 || !simulation.scene.time.inertia)
+  if (!contact || !contact->found.solved || contact->found.solved->impacts == 0 || !simulation.scene().time.inertia)
     return {};
-  const Caisson& caisson = *simulation.compiled->caisson;
+  const Caisson& caisson = *simulation.compiled()->caisson;
   const GroundBelow ground = ground_below(simulation);
   if (!(ground.modulus > 0.)) return {};
   const double depth = std::min(caisson.bottom_width, caisson.bottom_centre[1] - ground.lowest);

@@ -138,7 +138,7 @@ NumberedWarnings densification_warnings(const Evidence&, const Summary& summary)
 }
 
 SkippedList skipped_estimate(const Simulation& simulation, bool) {
-  if (!yields(simulation.scene) || !simulation.scene.accuracy.estimate) return {};
+  if (!yields(simulation.scene()) || !simulation.scene().accuracy.estimate) return {};
   return {{"estimate of errors", "the soil yields, and errors are estimated of linear soil alone"}};
 }
 

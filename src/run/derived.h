@@ -8,16 +8,16 @@ namespace upbead {
 
 /// Checks the scene on the given mesh, and decides what the scene leaves open; nothing is assembled. Throws
 /// InputError at keys of the scene.
-Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
-                       std::shared_ptr<const Processes> processes = nullptr);
+Simulation::Parts resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                              std::shared_ptr<const Processes> processes = nullptr);
 
 /// Checks the scene on the given mesh, and assembles it, for `processes` undivided: see compile(). Throws InputError
 /// at keys of the scene.
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,
                    std::shared_ptr<const Processes> processes = nullptr);
 
-/// Assembled anew, with its own soil, interface and processes; undivided.
-Simulation assembled(Simulation simulation);
+/// Assembled anew of parts whose scene is resolved; undivided.
+Simulation assembled(Simulation::Parts parts);
 
 /// The same with other soil on the same cells.
 Simulation with_soil(const Simulation& simulation, const SoilState& soil);
@@ -28,7 +28,7 @@ Simulation with_given(const Simulation& simulation, const Scene& given);
 /// What the scene allows in all. Where the mesh was made for the tolerance, scene.tolerance is the part of it that is
 /// left for a reduced model.
 inline double whole_tolerance(const Simulation& simulation) {
-  return simulation.given.tolerance;
+  return simulation.given().tolerance;
 }
 
 /// The same with another system of equations.

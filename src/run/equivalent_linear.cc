@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "fem/compile.h"
 #include "response/monitors.h"
 #include "response/reduction.h"
@@ -22,12 +23,12 @@ constexpr double converged = 0.01;
 class Soil {
  public:
   explicit Soil(const Simulation& simulation) : scene_(simulation) {
-    for (const auto& cell : simulation.space->dofs().active_cell_iterators()) {
-      const Region& region = simulation.space->region(cell);
-      const bool follows = region.strain_law && simulation.space->kind(cell) != CellKind::absent;
+    for (const auto& cell : simulation.space()->dofs().active_cell_iterators()) {
+      const Region& region = simulation.space()->region(cell);
+      const bool follows = region.strain_law && simulation.space()->kind(cell) != CellKind::absent;
       follows_.push_back(follows);
       laws_.push_back(follows ? *region.strain_law : StrainLaw());
-      largest_.push_back(follows ? simulation.space->material(cell).G : 0.);
+      largest_.push_back(follows ? simulation.space()->material(cell).G : 0.);
     }
   }
 
@@ -36,7 +37,7 @@ class Soil {
   /// Stiffness and damping for largest shear strains, by active cell index; cells that do not follow the strain keep
   /// theirs.
   SoilState at(const std::vector<double>& strain) const {
-    SoilState state = scene_.soil_state;
+    SoilState state = scene_.soil_state();
     state.shear_modulus.resize(strain.size(), 0.);
     state.damping_ratio.assign(strain.size(), -1.);
     for (std::size_t i = 0; i < strain.size(); ++i) {
@@ -76,8 +77,8 @@ struct LinearAnswer {
 /// The simulation with the steps of the first march: softer soil would allow longer steps, but finding them takes
 /// factorisations.
 Simulation in_first_steps(const LinearAnswer& first, const Simulation& simulation) {
-  if (first.step == 0. || !simulation.scene.time.inertia) return simulation;  // in quasi-statics its steps grow
-  Scene scene = simulation.given;
+  if (first.step == 0. || !simulation.scene().time.inertia) return simulation;  // in quasi-statics its steps grow
+  Scene scene = simulation.given();
   scene.time.step = first.step * (1. + 1e-9);
   return with_given(simulation, scene);
 }
@@ -89,8 +90,8 @@ double largest_shear(const ShearResponse& response) {
 /// By a reduced model, where one would answer the scene itself and has converged.
 std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const std::vector<bool>& follows,
                                            const std::function<void(double)>& progress) {
-  const Scene& scene = simulation.scene;
-  const CompiledScene& compiled = *simulation.compiled;
+  const Scene& scene = simulation.scene();
+  const CompiledScene& compiled = *simulation.compiled();
   const SchemeChoice choice = choose_scheme(scene, compiled);
   if (choice.scheme != TimeScheme::reduced || !compiled.caisson) return std::nullopt;
   ReductionTargets targets;
@@ -100,7 +101,7 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
   try {
     const Reduction reduction = reduce_scene(scene, compiled, targets, progress);
     if (!reduction.converged) return std::nullopt;
-    LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
+    LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
     strains.see(*reduction.states, sampled_loads(scene, compiled.system));
     const ShearResponse response =
         read_shear_response(compiled, respond(reduction, scene, compiled.system), scene.time.inertia);
@@ -112,15 +113,15 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
 
 LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool>& follows,
                             const std::function<void(double)>& progress) {
-  LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
+  LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
   ObserverFunction reported = progress_observer(progress);
   MarchOptions options;
   options.observers = {&strains, &reported};
-  const TimeScheme asked = simulation.scene.time.scheme;
+  const TimeScheme asked = simulation.scene().time.scheme;
   SchemeOptions scheme_options;
   scheme_options.account_energy = false;  // nobody sees these results
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
-  const auto scheme = make_scheme(simulation.compiled->system, scheme_options);
+  const auto scheme = make_scheme(simulation.compiled()->system, scheme_options);
   const Solution solution = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);
   const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
   const double step = solution.discretisation.time_step;
@@ -138,7 +139,7 @@ LinearAnswer next_answer(const LinearAnswer& first, const Simulation& simulation
 }  // namespace
 
 Simulation with_converged_soil(const Simulation& simulation, const std::function<void(double)>& progress) {
-  if (simulation.soil || !follows_strain(simulation.scene)) return simulation;
+  if (simulation.soil() || !follows_strain(simulation.scene())) return simulation;
   const Soil soil(simulation);
   const SoilState first = soil.at(std::vector<double>(soil.follows().size(), 0.));
   SoilSummary summary;
@@ -158,8 +159,7 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
   }
   summary.settled = last.measure;
   soil.report(last.strain, summary);
-  latest.soil = summary;
-  return latest;
+  return latest.with([&](auto& parts) { parts.soil = summary; });
 }
 
 }  // namespace upbead

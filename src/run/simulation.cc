@@ -13,10 +13,10 @@
 
 namespace upbead {
 
-Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
-                       std::shared_ptr<const Processes> processes) {
+Simulation::Parts resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                              std::shared_ptr<const Processes> processes) {
   check_scene(given, *mesh).throw_if_any();
-  Simulation out;
+  Simulation::Parts out;
   out.given = given;
   out.given_mesh = out.mesh = std::move(mesh);
   out.processes = std::move(processes);
@@ -31,47 +31,42 @@ Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
 
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
   const Stopwatch watch;
-  Simulation out = assembled(resolved_on(given, std::move(mesh), std::move(processes)));
+  const Simulation out = assembled(resolved_on(given, std::move(mesh), std::move(processes)));
   check_sliding(out);
   check_at_rest(out);
-  out.timing.compile = watch.seconds();
-  return out;
+  return out.with([&](auto& parts) { parts.timing.compile = watch.seconds(); });
 }
 
-Simulation assembled(Simulation simulation) {
-  AssembledScene parts = assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state,
-                                        simulation.with_interface, simulation.processes.get());
-  simulation.space = std::move(parts.space);
-  simulation.unknowns = std::move(parts.unknowns);
-  simulation.compiled = std::move(parts.compiled);
-  return simulation;
+Simulation assembled(Simulation::Parts parts) {
+  AssembledScene made = assemble_scene(parts.scene, *parts.mesh, parts.absent, parts.soil_state, parts.with_interface,
+                                       parts.processes.get());
+  parts.space = std::move(made.space);
+  parts.unknowns = std::move(made.unknowns);
+  parts.compiled = std::move(made.compiled);
+  return Simulation(std::move(parts));
 }
 
 Simulation with_soil(const Simulation& simulation, const SoilState& soil) {
-  Simulation other = simulation;
-  other.soil_state = soil;
-  return assembled(std::move(other));
+  return assembled(simulation.with([&](auto& parts) { parts.soil_state = soil; }).parts());
 }
 
 Simulation with_given(const Simulation& simulation, const Scene& given) {
-  Simulation other = simulation;
-  other.given = given;
-  other.scene = given;
-  other.scene.regions = simulation.scene.regions;  // resolved
-  other.scene.tolerance = simulation.scene.tolerance;
-  return other;
+  return simulation.with([&](auto& parts) {
+    parts.given = given;
+    parts.scene = given;
+    parts.scene.regions = simulation.scene().regions;  // resolved
+    parts.scene.tolerance = simulation.scene().tolerance;
+  });
 }
 
 Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled) {
-  Simulation other = simulation;
-  other.compiled = std::move(compiled);
-  return other;
+  return simulation.with([&](auto& parts) { parts.compiled = std::move(compiled); });
 }
 
 Simulation bonded(const Simulation& simulation) {
-  if (!simulation.compiled->system.interface) return simulation;
-  CompiledScene compiled = *simulation.compiled;
-  compiled.system = glued(simulation.compiled->system);
+  if (!simulation.compiled()->system.interface) return simulation;
+  CompiledScene compiled = *simulation.compiled();
+  compiled.system = glued(simulation.compiled()->system);
   return with_system(simulation, std::make_shared<CompiledScene>(std::move(compiled)));
 }
 
@@ -80,25 +75,26 @@ namespace {
 /// Every process adapts the mesh for itself, and all find the same one.
 Simulation adapted_among(const Scene& given, std::shared_ptr<const Mesh> mesh,
                          std::shared_ptr<const Processes> processes) {
-  Simulation simulation = adapted(given, std::move(mesh));
-  simulation.with_interface = has_frictional_contact(simulation.scene);
-  if (!processes && !simulation.with_interface) return simulation;
+  const Simulation simulation = adapted(given, std::move(mesh));
+  const bool with_interface = has_frictional_contact(simulation.scene());
+  if (!processes && !with_interface) return simulation;
   const Stopwatch watch;
-  simulation.processes = std::move(processes);
-  simulation = assembled(std::move(simulation));
-  simulation.timing.compile += watch.seconds();
-  return simulation;
+  Simulation::Parts parts = simulation.parts();
+  parts.with_interface = with_interface;
+  parts.processes = std::move(processes);
+  return assembled(std::move(parts)).with([&](auto& made) { made.timing.compile += watch.seconds(); });
 }
 
-Simulation divided(Simulation simulation) {
-  if (!simulation.processes) return simulation;
+Simulation divided(const Simulation& simulation) {
+  if (!simulation.processes()) return simulation;
   const Stopwatch watch;
-  CompiledScene compiled = *simulation.compiled;
-  const std::vector<int> index = divide(compiled.system, compiled.body_coordinates, simulation.processes);
+  CompiledScene compiled = *simulation.compiled();
+  const std::vector<int> index = divide(compiled.system, compiled.body_coordinates, simulation.processes());
   for (int& i : compiled.body_coordinates) i = index[static_cast<std::size_t>(i)];
-  simulation.compiled = std::make_shared<CompiledScene>(std::move(compiled));
-  simulation.timing.compile += watch.seconds();
-  return simulation;
+  return simulation.with([&](auto& parts) {
+    parts.compiled = std::make_shared<CompiledScene>(std::move(compiled));
+    parts.timing.compile += watch.seconds();
+  });
 }
 
 }  // namespace

@@ -16,31 +16,31 @@ namespace upbead {
 namespace {
 
 Simulation without_sliding(const Simulation& simulation) {
-  if (needs_sliding(simulation.given)) return simulation;
-  Scene without = simulation.given;
+  if (needs_sliding(simulation.given())) return simulation;
+  Scene without = simulation.given();
   without.sliding.reset();
   return with_given(simulation, without);
 }
 
 /// About ten marches of the soil come before the run that counts: the part of the work that they are.
 double soil_ends(const Simulation& simulation) {
-  return follows_strain(simulation.scene) && !simulation.soil ? 0.8 : 0.;
+  return follows_strain(simulation.scene()) && !simulation.soil() ? 0.8 : 0.;
 }
 
 /// Where the scene asks for it, and where its soil has no rest.
 std::optional<SafetySummary> safety_of(const Simulation& simulation, const Solution& solution) {
-  const Scene& scene = simulation.scene;
+  const Scene& scene = simulation.scene();
   const bool lacks_rest = solution.yielding && !solution.yielding->found.why_no_rest.empty();
   if (!(scene.initial && scene.initial->safety) && !scene.limits.safety && !lacks_rest) return std::nullopt;
   const SafetyFactor found =
-      safety_factor(simulation.scene, *simulation.mesh, simulation.soil_state, watched("strength reduction"));
+      safety_factor(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("strength reduction"));
   return SafetySummary{found.lower, found.upper, found.fails_at, found.why};
 }
 
 Solution solve_in_time(const Simulation& solved, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
                        const RunOptions& options, const std::function<void(double)>& progress) {
-  if (solved.compiled->system.interface) return run_contact(solved, marching, progress, options.soil);
-  if (yields(solved.scene)) return run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}});
+  if (solved.compiled()->system.interface) return run_contact(solved, marching, progress, options.soil);
+  if (yields(solved.scene())) return run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}});
   return solve_tied(solved, ahead, marching, progress);
 }
 
@@ -55,9 +55,9 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
   const auto solved = std::make_shared<const Simulation>(
       with_converged_soil(without_sliding(simulation), part_of(options.progress, 0., begin)));
   const auto ahead =
-      std::make_shared<SlipAhead>(std::make_shared<const Simulation>(with_given(*solved, simulation.given)));
+      std::make_shared<SlipAhead>(std::make_shared<const Simulation>(with_given(*solved, simulation.given())));
   const auto monitors = std::make_shared<Watched>(*solved);
-  const bool slips = solved->compiled->system.interface.has_value();
+  const bool slips = solved->compiled()->system.interface.has_value();
   const double bonded_ends =
       slips ? begin + 0.1 * (1. - begin) : begin;  // before contact a bonded run, a tenth as long
   ObserverFunction progress = progress_observer(part_of(options.progress, bonded_ends, 1.));
@@ -66,19 +66,19 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
   marching.observers.push_back(&progress);
   if (MarchObserver* other = options.observer ? options.observer(*solved) : nullptr)
     marching.observers.push_back(other);
-  marching.stop_at_energy = solved->scene.time.stop_at_energy.value_or(0.);
+  marching.stop_at_energy = solved->scene().time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
   Solution solution =
       solve_in_time(*solved, ahead, marching, options, part_of(options.progress, begin, slips ? bonded_ends : 1.));
   monitors->look(solution);
   solution.watched = monitors;
   solution.safety = safety_of(*solved, solution);
-  return with_sliding(std::move(solution), simulation.given);
+  return with_sliding(std::move(solution), simulation.given());
 }
 
 Solution with_sliding(Solution solution, const Scene& given) {
   const auto simulation = std::make_shared<const Simulation>(with_given(*solution.simulation, given));
-  check_scene(given, *simulation->given_mesh).throw_if_any();
+  check_scene(given, *simulation->given_mesh()).throw_if_any();
   check_sliding(*simulation);
   solution.simulation = simulation;
   return solution;

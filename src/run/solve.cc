@@ -63,10 +63,10 @@ double largest_step(const TimeGrid& grid) {
 
 Discretisation discretisation(const Simulation& simulation, const std::string& scheme, const Response& response) {
   Discretisation d;
-  d.cells = static_cast<int>(simulation.mesh->triangulation.n_active_cells());
-  d.unknowns = simulation.unknowns->n_free();
-  d.processes = simulation.processes ? simulation.processes->count() : 1;
-  d.degree = simulation.space->degree();
+  d.cells = static_cast<int>(simulation.mesh()->triangulation.n_active_cells());
+  d.unknowns = simulation.unknowns()->n_free();
+  d.processes = simulation.processes() ? simulation.processes()->count() : 1;
+  d.degree = simulation.space()->degree();
   d.scheme = scheme;
   const std::vector<double>& time = response.ends.time;
   for (std::size_t n = 1; n < time.size(); ++n) d.time_step = std::max(d.time_step, time[n] - time[n - 1]);
@@ -81,10 +81,10 @@ Discretisation discretisation(const Simulation& simulation, const std::string& s
 Solution solution_of(const Simulation& simulation, const std::string& scheme, Response response) {
   Solution solution;
   solution.discretisation = discretisation(simulation, scheme, response);
-  if (simulation.compiled->caisson)
-    solution.shear = read_shear_response(*simulation.compiled, response, simulation.scene.time.inertia);
+  if (simulation.compiled()->caisson)
+    solution.shear = read_shear_response(*simulation.compiled(), response, simulation.scene().time.inertia);
   solution.response = std::move(response);
-  solution.timing = simulation.timing;
+  solution.timing = simulation.timing();
   return solution;
 }
 
@@ -151,29 +151,29 @@ Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Scene& sc
 Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::shared_ptr<SlipAhead>& ahead,
                      const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  const Scene& scene = simulation.scene;
-  const System& system = simulation.compiled->system;
-  const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene));
+  const Scene& scene = simulation.scene();
+  const System& system = simulation.compiled()->system;
+  const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene()));
   const bool is_shown = !wanted(shown.time, observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
-  const bool states = simulation.scene.fields_every || is_shown || has_strength(simulation.scene);
-  const bool by_name = simulation.scene.time.scheme == TimeScheme::reduced;
+  const bool states = simulation.scene().fields_every || is_shown || has_strength(simulation.scene());
+  const bool by_name = simulation.scene().time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
   const ReductionTargets targets{false, false, most_vectors, true, states, true, whole_tolerance(simulation)};
   Reduction reduction =
-      reduce_beside(ahead, scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
+      reduce_beside(ahead, scene, *simulation.compiled(), targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else
     require_converged(reduction);
   Solution solution = solution_of(simulation, "reduced", respond(reduction, scene, system));
   solution.discretisation.why_scheme = choice.reason;
-  solution.discretisation.why_step = simulation.scene.time.step ? "given in the case, or shorter where loads need it"
-                                                                : "a 32nd of the shortest load, for the record";
+  solution.discretisation.why_step = simulation.scene().time.step ? "given in the case, or shorter where loads need it"
+                                                                  : "a 32nd of the shortest load, for the record";
   solution.reduction = summary_of(reduction);
-  if (simulation.compiled->caisson)
+  if (simulation.compiled()->caisson)
     solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
   solution.model = std::move(reduction.model);
   solution.pressures = std::move(reduction.pressures);
@@ -193,7 +193,7 @@ std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice&
       throw NumericsError(error.diagnostics().list().front().what);
     }
   };
-  return ways_with_care(simulation.scene, word_of(choice.scheme, time_scheme_words), solve);
+  return ways_with_care(simulation.scene(), word_of(choice.scheme, time_scheme_words), solve);
 }
 
 /// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then sdirk4
@@ -202,7 +202,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
                       const std::function<void(double)>& reducing) {
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
-  if (simulation.scene.time.scheme != TimeScheme::reduced)
+  if (simulation.scene().time.scheme != TimeScheme::reduced)
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
   list.insert(list.begin(), {"reduced", [&simulation, choice, ahead, reducing](const MarchOptions& options) {
                                return run_reduced(simulation, choice, ahead, options.observers, reducing);
@@ -212,9 +212,9 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
 
 /// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
 std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& reducing) {
-  const TimeScheme refused = simulation.scene.time.scheme;
+  const TimeScheme refused = simulation.scene().time.scheme;
   if (refused == TimeScheme::automatic) return "";
-  Scene automatic = simulation.given;
+  Scene automatic = simulation.given();
   automatic.time.scheme = TimeScheme::automatic;
   const Simulation other = with_given(simulation, automatic);
   ObserverFunction progress = progress_observer(reducing);
@@ -231,7 +231,7 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
 
 Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead,
                       const MarchOptions& marching, const std::function<void(double)>& reducing) {
-  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
   if (choice.scheme == TimeScheme::reduced) ahead->begin();
   Solution solution = climb(simulation, ways(simulation, choice, ahead, reducing), marching);
   solution.simulation = std::make_shared<const Simulation>(simulation);
@@ -297,7 +297,7 @@ std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& 
       require_balance(*solution.shear, energy.empty() ? EnergyAccount() : energy.back(),
                       solution.yielding ? tolerable_of_yielding(whole_tolerance(simulation)) : 1e-7);
     else if (!energy.empty())
-      require_balance(energy.back(), simulation.compiled->system, simulation.scene.time.end);
+      require_balance(energy.back(), simulation.compiled()->system, simulation.scene().time.end);
   } catch (const Imbalance& found) {
     return found.mismatch();
   }
@@ -349,7 +349,7 @@ Solution run_march(const Simulation& simulation, const SchemeChoice& choice, con
   SchemeOptions scheme_options;
   if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   scheme_options.refined = care.refined;
-  const std::unique_ptr<Scheme> scheme = make_scheme(simulation.compiled->system, scheme_options);
+  const std::unique_ptr<Scheme> scheme = make_scheme(simulation.compiled()->system, scheme_options);
   return march_by(*scheme, simulation, choice.reason, options, care.part);
 }
 
@@ -388,15 +388,15 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
                   double part) {
   MarchOptions marching = options;
-  const System& system = simulation.compiled->system;
-  const TimeChoice& time = simulation.scene.time;
+  const System& system = simulation.compiled()->system;
+  const TimeChoice& time = simulation.scene().time;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);
   step.reason = "given in the case";
   if (!time.step) {
-    Scene whole = simulation.scene;
+    Scene whole = simulation.scene();
     whole.tolerance = whole_tolerance(simulation);
-    step = choose_step(whole, *simulation.compiled, scheme.order());
+    step = choose_step(whole, *simulation.compiled(), scheme.order());
     if (scheme.yielding() || scheme.contact()) step.largest_step *= contact_step;
     if (scheme.contact() && !scheme.yielding()) {
       marching.leap = contact_leap(whole_tolerance(simulation));
@@ -408,8 +408,8 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
     if (step.growth) step.growth->largest *= part;
     step.reason = significant(part) + " of those of: " + step.reason;
   }
-  if (!time.step || part < 1.) check_steps(simulation.scene, step.largest_step, step.growth, step.reason);
-  const std::vector<double> meeting = times_to_meet(simulation.scene, system);
+  if (!time.step || part < 1.) check_steps(simulation.scene(), step.largest_step, step.growth, step.reason);
+  const std::vector<double> meeting = times_to_meet(simulation.scene(), system);
   TimeGrid grid = make_time_grid(meeting, time.end, step.largest_step, step.growth);
   if (const auto& from = options.checkpoints.resume_from)
     grid = resumed(std::move(grid), from->so_far, meeting, step.largest_step, step.growth);

@@ -10,17 +10,17 @@
 namespace upbead {
 
 Watched::Watched(const Simulation& simulation) {
-  const double level = water_level(simulation.scene, *simulation.mesh);
-  if (simulation.processes)
+  const double level = water_level(simulation.scene(), *simulation.mesh());
+  if (simulation.processes())
     why_no_pressure = why_no_strength = "several processes share the work";
   else if (!std::isfinite(level))
     why_no_pressure = why_no_strength = "no still water level is known: give [initial] water_level";
   if (!why_no_pressure.empty()) return;
-  pressure.emplace(*simulation.space, *simulation.unknowns, simulation.scene, level);
-  if (!has_strength(simulation.scene)) return;
+  pressure.emplace(*simulation.space(), *simulation.unknowns(), simulation.scene(), level);
+  if (!has_strength(simulation.scene())) return;
   try {
-    const StaticStage rest = solve_static(simulation.scene, *simulation.mesh);
-    strength.emplace(*simulation.space, *simulation.unknowns, rest.stress, k0_of(simulation.scene));
+    const StaticStage rest = solve_static(simulation.scene(), *simulation.mesh());
+    strength.emplace(*simulation.space(), *simulation.unknowns(), rest.stress, k0_of(simulation.scene()));
   } catch (const NumericsError& error) {
     why_no_strength = error.what();
   }
@@ -35,8 +35,8 @@ std::vector<MarchObserver*> Watched::observers() {
 
 void Watched::look(const Solution& solution) {
   const Simulation& simulation = *solution.simulation;
-  const auto loads = [&] { return sampled_loads(simulation.scene, simulation.compiled->system); };
-  const auto duration = [&] { return step_of_loads(simulation.scene, 4).duration; };
+  const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.compiled()->system); };
+  const auto duration = [&] { return step_of_loads(simulation.scene(), 4).duration; };
   if (solution.pressures && pressure) pressure->see(*solution.pressures, loads(), duration());
   if (solution.states && strength) strength->see(*solution.states, loads(), duration());
 }

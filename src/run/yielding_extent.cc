@@ -17,7 +17,7 @@ const char* why_linear(const Region& region) {
 
 YieldingExtent yielding_extent(const Simulation& simulation) {
   YieldingExtent extent;
-  const Space& space = *simulation.space;
+  const Space& space = *simulation.space();
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     if (!space.has_matrices(cell) || space.kind(cell) == CellKind::water) continue;
     ++extent.of;
@@ -25,7 +25,7 @@ YieldingExtent yielding_extent(const Simulation& simulation) {
     ++extent.cells;
     extent.area += area_of(cell);
   }
-  for (const auto& [name, region] : simulation.scene.regions)
+  for (const auto& [name, region] : simulation.scene().regions)
     if (region.law == SoilLaw::elastic) extent.linear.push_back({name, why_linear(region)});
   return extent;
 }

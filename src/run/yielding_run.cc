@@ -13,6 +13,7 @@
 #include "model/soil_law_row.h"
 #include "model/words.h"
 #include "response/compaction.h"
+#include "run/derived.h"
 #include "run/solve.h"
 #include "run/yielding_watch.h"
 
@@ -39,10 +40,10 @@ double last(const CompiledScene& compiled, const Response& response, const char*
 }
 
 ResidualSummary residual(const Simulation& simulation, const Response& response) {
-  const CompiledScene& compiled = *simulation.compiled;
+  const CompiledScene& compiled = *simulation.compiled();
   return {last(compiled, response, "caisson/displacement_x"), last(compiled, response, "caisson/displacement_y"),
           last(compiled, response, "caisson/rotation"),
-          pore_pressure_left(*simulation.space, *simulation.unknowns, response.final_state)};
+          pore_pressure_left(*simulation.space(), *simulation.unknowns(), response.final_state)};
 }
 
 /// Share of the area of soil that may yield in which cells lost energy.
@@ -60,8 +61,8 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
 /// The work of soil; a system whose interface is bonded lacks the interface's unknowns.
 SoilWork work_of(const Simulation& simulation) {
   SoilWork work;
-  work.n_unknowns = simulation.compiled->system.size();
-  work.followed = followed_readings(*simulation.space, simulation.scene);
+  work.n_unknowns = simulation.compiled()->system.size();
+  work.followed = followed_readings(*simulation.space(), simulation.scene());
   return work;
 }
 
@@ -89,36 +90,36 @@ YieldingSolution yielding_of(const Simulation& simulation, RestStart start, cons
                              const Solution& solution) {
   YieldingSolution out;
   NonlinearSummary& found = out.found;
-  found.start = has_start(simulation.scene) ? word_of(start, rest_start_words) : "static";
+  found.start = has_start(simulation.scene()) ? word_of(start, rest_start_words) : "static";
   found.stages = report.stages;
   found.iterations = report.evaluations;
   found.factorisations = solution.discretisation.factorisations;
   found.cut_steps = report.cut_steps;
   found.share_skipped = soil.share_skipped();
-  found.share_yielded = share_yielded(*simulation.space, soil);
+  found.share_yielded = share_yielded(*simulation.space(), soil);
   if (laws.report.area > 0.) found.share_beyond_at_rest = laws.report.beyond / laws.report.area;
   if (!laws.compacting->empty())
     out.densification =
-        compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, solution.response.final_state);
+        compacted_soils(*simulation.space(), *simulation.unknowns(), *laws.compacting, solution.response.final_state);
   if (rest.failing) found.rest = summary_of(*rest.failing);
   found.why_no_rest = rest.why_none;
   found.peak_strain = watch.peak_strain();
   found.regions = watch.regions();
-  if (simulation.compiled->caisson) out.residual = residual(simulation, solution.response);
+  if (simulation.compiled()->caisson) out.residual = residual(simulation, solution.response);
   return out;
 }
 
 Solution march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
                     const Care& care, const YieldingFollower& follower) {
-  const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.elastic.stress, start,
+  const SoilLaws laws = soil_laws(simulation.scene(), *simulation.space(), rest.elastic.stress, start,
                                   rest.failing ? &rest.failing->stresses : nullptr);
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   const auto soil =
-      yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(simulation));
+      yielding_soil(*simulation.space(), *simulation.unknowns(), system.readings, laws.points, work_of(simulation));
   const auto scheme = make_yielding_scheme(
       system, *soil, {yielding_tolerance * whole_tolerance(simulation), care.refined, rest.elastic.weight});
   if (follower.soil) follower.soil(*soil);
-  YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
+  YieldingWatch watch(*simulation.space(), *simulation.unknowns(), *soil);
   MarchOptions followed = marching;
   followed.observers.push_back(&watch);
   if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
@@ -136,7 +137,7 @@ Solution climb_from(const Simulation& simulation, RestStart start, const Rest& r
   const auto solve = [&](const MarchOptions& options, const Care& care) {
     return march_from(simulation, start, rest, options, care, follower);
   };
-  return climb(simulation, ways_with_care(simulation.scene, "yielding", solve), marching);
+  return climb(simulation, ways_with_care(simulation.scene(), "yielding", solve), marching);
 }
 
 StartBound bound_of(const Solution& solution) {
@@ -152,16 +153,17 @@ StartBound bound_of(const Solution& solution) {
 
 Solution run_yielding(const Simulation& simulation, const MarchOptions& marching,
                       const std::function<void(double)>& progress, const YieldingRunOptions& options) {
-  Rest rest{solve_static(simulation.scene, *simulation.mesh), {}, {}};
-  if (needs_rest_state(simulation.scene)) {
-    RestState found = rest_state(simulation.scene, *simulation.mesh, simulation.soil_state, watched("state at rest"));
+  Rest rest{solve_static(simulation.scene(), *simulation.mesh()), {}, {}};
+  if (needs_rest_state(simulation.scene())) {
+    RestState found =
+        rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("state at rest"));
     rest.why_none = why_none(found);
     if (found.found) rest.failing = std::move(found);
   }
-  const RestStart start = start_of(simulation.scene);
+  const RestStart start = start_of(simulation.scene());
   Solution solution = climb_from(simulation, start, rest, marching, options.follower);
   solution.simulation = std::make_shared<const Simulation>(simulation);
-  if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.scene)) {
+  if (options.bounds && simulation.compiled()->caisson && wants_bounds(simulation.scene())) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
       if (other == start) continue;

@@ -51,15 +51,15 @@ class Bench {
  public:
   explicit Bench(const Simulation& scene)
       : scene_(scene),
-        system_(scene.compiled->system),
-        duration_(step_of_loads(scene.scene, 4).duration),
-        coarse_(make_time_grid(kinks(system_), scene.scene.time.end, duration_ / 2.)) {
+        system_(scene.compiled()->system),
+        duration_(step_of_loads(scene.scene(), 4).duration),
+        coarse_(make_time_grid(kinks(system_), scene.scene().time.end, duration_ / 2.)) {
     for (const SystemLoad& load : system_.loads) histories_.push_back(load.history);
   }
 
   Json measure() {
     Json json;
-    json["title"] = scene_.scene.title;
+    json["title"] = scene_.scene().title;
     json["unknowns"] = system_.n_free();
     json["duration"] = duration_;
     json["reference"] = march_with(SchemeKind::sdirk4, reference_refinement, reference_);
@@ -67,7 +67,7 @@ class Bench {
     for (const int refinement : {4, 6, 8, 12, 16, 24, 48, 96})
       add_march(json, SchemeKind::generalised_alpha, refinement);
     for (const double shift : {1., 1.25, 1.5, 1.75, 2.}) add_models(json, shift);
-    const SchemeChoice choice = choose_scheme(scene_.scene, *scene_.compiled);
+    const SchemeChoice choice = choose_scheme(scene_.scene(), *scene_.compiled());
     json["chosen"] = {chosen("run", {false, false, choice.most_vectors}), chosen("reduce", {true, true, {}})};
     json["throughput"] = throughput();
     return json;
@@ -85,7 +85,7 @@ class Bench {
 
   Shear shear_of(const Response& response, int refinement) const {
     return {response.ends.reading.row(system_.reading(reading::shear_force)),
-            read_shear_response(*scene_.compiled, response, true).peak_shear, refinement};
+            read_shear_response(*scene_.compiled(), response, true).peak_shear, refinement};
   }
 
   Json march_with(SchemeKind kind, int refinement, Shear& shear) const {
@@ -124,7 +124,7 @@ class Bench {
 
   /// Models of one Krylov space about a shift (in 2 pi / duration), of increasing numbers of vectors.
   void add_models(Json& json, double shift) const {
-    SecondOrderKrylov krylov(system_, shift * two_pi / duration_, scene_.compiled->body_coordinates);
+    SecondOrderKrylov krylov(system_, shift * two_pi / duration_, scene_.compiled()->body_coordinates);
     Projection projection(system_, krylov);
     double krylov_seconds = 0., projection_seconds = 0.;
     for (const int vectors : {12, 15, 18, 21, 24, 27, 30, 33, 37, 41, 46, 51, 57, 64, 71, 80, 90}) {
@@ -146,7 +146,7 @@ class Bench {
   /// How many waves one core computes per second with the model that `upbead reduce` would write: F_T, its peak and
   /// S.
   Json throughput() const {
-    const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, {true, true, {}});
+    const Reduction reduction = reduce_scene(scene_.scene(), *scene_.compiled(), {true, true, {}});
     constexpr int n_waves = 2000, n_samples = 2000;
     constexpr double step = 1e-3;
     const BatchResponse batch(reduction.model, system_.reading(reading::shear_force), step);
@@ -154,7 +154,7 @@ class Bench {
     for (int n = 0; n < n_samples; ++n) F_T.time[n] = n * step;
     WaveSamples loads = WaveSamples::Zero(reduction.model.n_loads(), n_samples);
     Eigen::RowVectorXd y(n_samples);
-    const double resistance = reference_.peak, mass = scene_.compiled->caisson->body.mass;
+    const double resistance = reference_.peak, mass = scene_.compiled()->caisson->body.mass;
     double respond_seconds = 0., read_seconds = 0.;
     int n_sliding = 0;
     for (int w = 0; w < n_waves; ++w) {
@@ -191,7 +191,7 @@ class Bench {
 
   /// The model that a command makes: its error as estimated by nested models, and its true error.
   Json chosen(const char* command, const ReductionTargets& aim) const {
-    const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, aim);
+    const Reduction reduction = reduce_scene(scene_.scene(), *scene_.compiled(), aim);
     return answered(reduction.model, {{"command", command},
                                       {"solves", reduction.n_solves},
                                       {"converged", reduction.converged},

@@ -30,7 +30,7 @@ class ScaledResponse : public InFolder, public testing::WithParamInterface<std::
   static Eigen::RowVectorXd shear_force(const std::string& path) {
     const Case problem = read_case(path, {"time.scheme=" + GetParam()});
     const Simulation scene = simulation_of(problem);
-    return solve(problem, scene, {}).response.ends.reading.row(scene.compiled->system.reading(reading::shear_force));
+    return solve(problem, scene, {}).response.ends.reading.row(scene.compiled()->system.reading(reading::shear_force));
   }
 
   /// The case at 1/20 of its size has the same history of F_T / L^2, step by step.

@@ -117,7 +117,7 @@ TEST_F(TimeEndTest, WithoutOneTheLoadsAndTheirEchoAreCovered) {
     const Case input = with(load, "");
     EXPECT_TRUE(end_is_open(input));
     EXPECT_NEAR(end_of_actions(input), over, 0.01 * over);
-    const double end = simulation_of(input).given.time.end;
+    const double end = simulation_of(input).given().time.end;
     EXPECT_GT(end, over + 0.5);
     EXPECT_LT(end, over + 6.);
     EXPECT_EQ(names(end_warnings(input, end)), "");
@@ -127,10 +127,11 @@ TEST_F(TimeEndTest, WithoutOneTheLoadsAndTheirEchoAreCovered) {
   }
   EXPECT_FALSE(end_is_open(with("pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }")));
   const Case slow = with("pulse = { shape = \"step\", peak = 1e6 }", "inertia = false");
-  EXPECT_GT(simulation_of(slow).given.time.end, 10.) << "consolidation takes H^2/c_v";
-  EXPECT_EQ(
-      simulation_of(with("pulse = { shape = \"step\", peak = 1e6 }", "", {"output.times=[0.1, 40.0]"})).given.time.end,
-      40.);
+  EXPECT_GT(simulation_of(slow).given().time.end, 10.) << "consolidation takes H^2/c_v";
+  EXPECT_EQ(simulation_of(with("pulse = { shape = \"step\", peak = 1e6 }", "", {"output.times=[0.1, 40.0]"}))
+                .given()
+                .time.end,
+            40.);
 }
 
 TEST_F(TimeEndTest, TwoSamplesAtOneTimeAreAJump) {

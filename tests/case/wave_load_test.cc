@@ -72,15 +72,15 @@ class WaveLoadTest : public InFolder {
   static void expect_forces(const std::string& text, const WavePressure& pressure) {
     const Case problem = read(text);
     const Simulation simulation = simulation_of(problem);
-    const LoadOnCaisson& load = simulation.compiled->loads_on_caisson.front();
-    const double peak = extremum(simulation.scene.loads.at("storm").history, 0., 100., 1).value;
+    const LoadOnCaisson& load = simulation.compiled()->loads_on_caisson.front();
+    const double peak = extremum(simulation.scene().loads.at("storm").history, 0., 100., 1).value;
     EXPECT_NEAR(load.force_x * peak, pressure.force, 1e-12 * pressure.force);
     EXPECT_NEAR(load.force_y, 0., 1e-12);
     EXPECT_NEAR(load.moment * peak, pressure.force_moment,
                 1e-9 * pressure.force_moment);  // the rounding of heights in gmsh's file
-    EXPECT_EQ(simulation.scene.sliding->uplift->kind, UpliftKind::prescribed);
-    EXPECT_EQ(*simulation.scene.sliding->uplift->peak, pressure.uplift);
-    EXPECT_NEAR(*simulation.scene.sliding->uplift->peak, 0.5 * pressure.pu * problem.tables->section->width,
+    EXPECT_EQ(simulation.scene().sliding->uplift->kind, UpliftKind::prescribed);
+    EXPECT_EQ(*simulation.scene().sliding->uplift->peak, pressure.uplift);
+    EXPECT_NEAR(*simulation.scene().sliding->uplift->peak, 0.5 * pressure.pu * problem.tables->section->width,
                 1e-15 * pressure.uplift);
   }
 
@@ -426,8 +426,8 @@ TEST_F(WaveLoadTest, StandingWaveHasItsMomentBeforeASea) {
     double force = 0., moment = 0., nearest = infinity;
     for (const double t : standing.gauges.time) {
       double P = 0., M = 0.;
-      for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
-        const double p = simulation.scene.loads.at(load.name).history(t);
+      for (const LoadOnCaisson& load : simulation.compiled()->loads_on_caisson) {
+        const double p = simulation.scene().loads.at(load.name).history(t);
         P += load.force_x * p;
         M += load.moment * p;
       }

@@ -87,7 +87,7 @@ TEST_F(WaveTrainCase, LoadsTheBedAndIsEchoedAsItWas) {
   write("case.toml", train_case("{ height = 4, depth = 8, period = 7, course = \"seaward\" }"));
   const Case problem = read_case("case.toml");
   const Simulation simulation = simulation_of(problem);
-  EXPECT_EQ(simulation.scene.loads.count("sea.cosine") + simulation.scene.loads.count("sea.sine"), 2u);
+  EXPECT_EQ(simulation.scene().loads.count("sea.cosine") + simulation.scene().loads.count("sea.sine"), 2u);
   write("again.toml", effective_case(problem, "."));
   const Case again = read_case("again.toml");
   for (const char* name : {"sea.cosine", "sea.sine"}) {

@@ -138,7 +138,7 @@ const std::vector<std::string> short_pulse = both(small, {"loads.impulse.pulse.d
 TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
   const upbead::Run run = solve(both(short_pulse, {"accuracy.tolerance=0.08"})),
                     truth = solve(both(short_pulse, far_finer));
-  const int row = simulation_of(with(both(short_pulse, far_finer))).compiled->system.reading("shear_force");
+  const int row = simulation_of(with(both(short_pulse, far_finer))).compiled()->system.reading("shear_force");
   const double error = apart(run, truth, row);
   EXPECT_LE(run.summary.history_error->total(), 0.08);
   EXPECT_LE(error, run.summary.history_error->total());
@@ -155,14 +155,14 @@ TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
   for (const auto& scene : {damped, both(damped, {"loads.impulse.pulse.duration=0.05"}), both(damped, soft)}) {
     const Simulation own = simulation_of(with(scene)), finer = with_halved_cells(own);
     const auto exact = [](const Simulation& on) {
-      Scene better = on.scene;
+      Scene better = on.scene();
       better.tolerance = 2e-4;
       ReductionTargets targets;
       targets.only_shear = true;
       targets.most_vectors = 300;
-      const Reduction reduction = reduce_scene(better, *on.compiled, targets);
+      const Reduction reduction = reduce_scene(better, *on.compiled(), targets);
       require_shear_converged(reduction);
-      return shear_history(*on.compiled, respond(reduction, better, on.compiled->system));
+      return shear_history(*on.compiled(), respond(reduction, better, on.compiled()->system));
     };
     const CellsCompared early = compare_cells(own);
     ASSERT_TRUE(early.reduced.has_value());
@@ -184,7 +184,7 @@ TEST_F(AdaptedMesh, GivenRefinementsAreEstimatedWhereThatIsAskedAtLength) {
   EXPECT_FALSE(solve(given).summary.history_error.has_value());
   const upbead::Run run = solve(both(given, {"accuracy.estimate=true"})), truth = solve(both(small, far_finer));
   ASSERT_TRUE(run.summary.history_error.has_value());
-  const int row = simulation_of(with(both(small, far_finer))).compiled->system.reading("shear_force");
+  const int row = simulation_of(with(both(small, far_finer))).compiled()->system.reading("shear_force");
   const double error = apart(run, truth, row);
   EXPECT_LE(error, run.summary.history_error->total());
   EXPECT_GE(6. * error, run.summary.history_error->total());  // in the median 3: docs/accuracy.md
@@ -230,7 +230,7 @@ TEST_F(AdaptedMesh, NarrowSectionsFeelTheirFarSidesAtLength) {
 
 TEST_F(AdaptedMesh, IsSymmetricWhereTheSceneIs) {
   const Simulation scene = simulation_of(with({"accuracy.tolerance=0.03"}));
-  const auto& cells = scene.mesh->triangulation;
+  const auto& cells = scene.mesh()->triangulation;
   int n_alone = 0, n_levels = 0;
   for (const auto& cell : cells.active_cell_iterators()) {
     bool found = false;

@@ -31,7 +31,7 @@ class ContactRun : public InFolder {
   struct Solved {
     upbead::Run run;
     double last(const std::string& reading) const {
-      return run.response.ends.reading(run.simulation->compiled->system.reading(reading),
+      return run.response.ends.reading(run.simulation->compiled()->system.reading(reading),
                                        run.response.ends.reading.cols() - 1);
     }
   };
@@ -72,7 +72,7 @@ TEST_F(ContactRun, IsTheTiedRunWhereNothingMoves) {
     const auto& response = other->run.summary.response;
     EXPECT_NEAR(response->peak_displacement, peak->peak_displacement, 1e-11 * peak->peak_displacement);
     EXPECT_NEAR(other->last(reading::shear_force), tied.last(reading::shear_force), 1e-9 * peak->peak_shear);
-    EXPECT_EQ(other->run.simulation->compiled->system.readings.size(),
+    EXPECT_EQ(other->run.simulation->compiled()->system.readings.size(),
               static_cast<std::size_t>(other->run.response.ends.reading.rows()));
   }
   EXPECT_NEAR(shortly.run.summary.response->peak_shear, peak->peak_shear, 1e-11 * peak->peak_shear);

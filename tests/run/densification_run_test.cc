@@ -104,7 +104,7 @@ class DensificationRun : public InFolder {
     return solve(input, simulation_of(input), {});
   }
   static std::vector<double> history(const Answer& run, const std::string& reading) {
-    const auto row = run.response.ends.reading.row(run.simulation->compiled->system.reading(reading)).eval();
+    const auto row = run.response.ends.reading.row(run.simulation->compiled()->system.reading(reading)).eval();
     return {row.begin(), row.end()};
   }
 };

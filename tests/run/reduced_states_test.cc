@@ -96,7 +96,7 @@ TEST_P(ReducedStates, AndStrengthsAreThoseOfAMarch) {
   ASSERT_EQ(marched.seen.states.size(), 25u);
   EXPECT_EQ(reduced.seen.seen, 25) << "states between fields are not made";
 
-  const System& system = marched.run.simulation->compiled->system;
+  const System& system = marched.run.simulation->compiled()->system;
   double largest = 0., apart = 0., pressure = 0., of_pressure = 0.;
   for (std::size_t i = 0; i < 25; ++i) {
     const State &a = marched.seen.states[i], &b = reduced.seen.states[i];

@@ -62,7 +62,7 @@ Truth solve(const Case& input, const Run& answer, std::shared_ptr<Mesh> mesh) {
   exact.scene.time.step = part * answer.summary.discretisation.time_step * (1. + 1e-9);
   const Simulation scene = simulation_of(exact, std::move(mesh));
   Truth truth;
-  truth.unknowns = scene.unknowns->n_free();
+  truth.unknowns = scene.unknowns()->n_free();
   truth.run = solve(exact, scene, {});
   return truth;
 }
@@ -118,14 +118,14 @@ AccuracyVerdict judge_accuracy(const std::string& path) {
     const Simulation scene = simulation_of(input);
     const Run run = solve(input, scene, {});
     verdict.seconds = watch.seconds();
-    verdict.unknowns = scene.unknowns->n_free();
+    verdict.unknowns = scene.unknowns()->n_free();
     verdict.scheme = run.summary.discretisation.scheme;
     const Stopwatch truth_watch;
-    const int row = scene.compiled->system.reading(reading::shear_force);
-    Truth truth = solve(input, run, finer_mesh(*scene.mesh, 1));
+    const int row = scene.compiled()->system.reading(reading::shear_force);
+    Truth truth = solve(input, run, finer_mesh(*scene.mesh(), 1));
     Run before = std::move(truth.run);
     if (16 * verdict.unknowns <= most_unknowns) {
-      truth = solve(input, run, finer_mesh(*scene.mesh, 2));
+      truth = solve(input, run, finer_mesh(*scene.mesh(), 2));
       verdict.truth_peak = peak_error(before, truth.run);
       verdict.truth_history = history_error(before, truth.run, row);
     } else {

@@ -137,7 +137,7 @@ bool is_finite(const Run& run) {
 
 void measure(const Case& input, const Simulation& simulation, Measures& m) {
   const Run run = solve(input, simulation, {});
-  const System& system = run.simulation->compiled->system;
+  const System& system = run.simulation->compiled()->system;
   const double end = input.scene.time.end, h = run.summary.discretisation.time_step;
   m.scheme = run.summary.discretisation.scheme;
   m.unknowns = system.n_free();

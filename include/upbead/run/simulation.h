@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "upbead/dynamics/march.h"
@@ -40,7 +41,7 @@ struct MeshAccuracy {
 class SlipAhead;
 class Watched;
 struct Run;
-struct Simulation;
+class Simulation;
 struct Solution;
 
 using SoilFollower = std::function<void(YieldingSoil&)>;
@@ -57,37 +58,66 @@ struct RunOptions {
   Checkpointing checkpoints;
 };
 
-/// A scene on its mesh, assembled: a value that never changes. Other soil, cells or contact make another Simulation;
-/// copies share all large members.
-struct Simulation {
+/// A scene on its mesh, assembled: everything is decided, and nothing changes. Other soil, cells or contact make
+/// another Simulation; copies share all large members.
+class Simulation {
+ public:
+  /// What a simulation is made of.
+  struct Parts {
+    Scene given;                      ///< as it was asked for: resolved anew on other meshes, else for the echo
+    Scene scene;                      ///< as solved: everything that it left open is decided
+    std::vector<Decision> decisions;  ///< about its regions
+    std::shared_ptr<const Processes> processes;  ///< among which the system is divided; null: not divided
+    std::shared_ptr<const Mesh> given_mesh;      ///< from which the refinement for the tolerance started; else `mesh`
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<bool> absent;     ///< cells left out
+    SoilState soil_state;         ///< what differs from cell to cell
+    bool with_interface = false;  ///< the caisson may slip and lift; the mesh for the tolerance is made with it bonded
+    std::shared_ptr<const Space> space;  ///< this and the next two: made of all members above
+    std::shared_ptr<const Unknowns> unknowns;
+    std::shared_ptr<const CompiledScene> compiled;
+    std::optional<SoilSummary> soil;       ///< where the soil has converged with the strain of the response
+    std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
+    Timing timing;
+  };
+
   /// Checks the scene on the mesh, decides what it leaves open, and assembles. Where scene.mesh.refine has no number,
   /// the cells of this mesh are split as the tolerance asks. `among`: the processes among which the system is divided;
   /// all of them make this call. Throws InputError whose places are keys of the scene, such as "boundaries.left".
   Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among = nullptr);
 
+  explicit Simulation(Parts parts) : parts_(std::move(parts)) {}
+
   /// Solves it, and finds what is to be said: solve() below, then find() of upbead/findings/find.h.
   Run run(const RunOptions& options = {}) const;
 
-  Scene given;                      ///< as it was asked for: resolved anew on other meshes, else for the echo
-  Scene scene;                      ///< as solved: everything that it left open is decided
-  std::vector<Decision> decisions;  ///< about its regions
-  std::shared_ptr<const Processes> processes;  ///< among which the system is divided; null: not divided
-  std::shared_ptr<const Mesh> given_mesh;      ///< from which the refinement for the tolerance started; else `mesh`
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const Space> space;
-  std::shared_ptr<const Unknowns> unknowns;
-  std::shared_ptr<const CompiledScene> compiled;
-  std::vector<bool> absent;     ///< cells left out
-  SoilState soil_state;         ///< what differs from cell to cell
-  bool with_interface = false;  ///< the caisson may slip and lift; the mesh for the tolerance is made with it bonded
-  std::optional<SoilSummary> soil;       ///< where the soil has converged with the strain of the response
-  std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
-  Timing timing;
+  const Parts& parts() const { return parts_; }
+  const Scene& given() const { return parts_.given; }
+  const Scene& scene() const { return parts_.scene; }
+  const std::vector<Decision>& decisions() const { return parts_.decisions; }
+  const std::shared_ptr<const Processes>& processes() const { return parts_.processes; }
+  const std::shared_ptr<const Mesh>& given_mesh() const { return parts_.given_mesh; }
+  const std::shared_ptr<const Mesh>& mesh() const { return parts_.mesh; }
+  const std::vector<bool>& absent() const { return parts_.absent; }
+  const SoilState& soil_state() const { return parts_.soil_state; }
+  bool with_interface() const { return parts_.with_interface; }
+  const std::shared_ptr<const Space>& space() const { return parts_.space; }
+  const std::shared_ptr<const Unknowns>& unknowns() const { return parts_.unknowns; }
+  const std::shared_ptr<const CompiledScene>& compiled() const { return parts_.compiled; }
+  const std::optional<SoilSummary>& soil() const { return parts_.soil; }
+  const std::optional<MeshAccuracy>& accuracy() const { return parts_.accuracy; }
+  const Timing& timing() const { return parts_.timing; }
+
+  /// Another simulation, of the same parts but for those that change(Parts&) sets.
+  template <class Change>
+  Simulation with(const Change& change) const {
+    Parts parts = parts_;
+    change(parts);
+    return Simulation(std::move(parts));
+  }
 
  private:
-  Simulation() = default;
-  friend Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
-                                std::shared_ptr<const Processes> processes);
+  Parts parts_;
 };
 
 /// What only the march of soil that yields knows.

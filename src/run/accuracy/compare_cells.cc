@@ -44,7 +44,7 @@ SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer
 
 /// The scene as solved for a comparison: more accurately in time, at the program's own steps.
 Scene compared(const Simulation& simulation) {
-  Scene scene = simulation.scene;
+  Scene scene = simulation.scene();
   scene.tolerance = share_of_time * whole_tolerance(simulation);
   scene.time.step.reset();
   return scene;
@@ -52,9 +52,9 @@ Scene compared(const Simulation& simulation) {
 
 /// F_T over time, and S by eq. (4).
 Answers bonded_answers(const Simulation& simulation, const Response& response) {
-  const CompiledScene& compiled = *simulation.compiled;
+  const CompiledScene& compiled = *simulation.compiled();
   Answers answers{response.ends.reading.row(compiled.system.reading(reading::shear_force)).transpose()};
-  if (const auto sliding = sliding_of(simulation.scene, compiled, response))
+  if (const auto sliding = sliding_of(simulation.scene(), compiled, response))
     answers.push_back(Eigen::VectorXd::Constant(1, sliding->history.by_history.residual));
   return answers;
 }
@@ -66,11 +66,11 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
   targets.only_shear = true;
   // both systems have the same loads
   const auto response = [&](const GrowingModel& model) {
-    return respond(model.reduction(), scene, simulation.compiled->system);
+    return respond(model.reduction(), scene, simulation.compiled()->system);
   };
   const auto read = [&](const GrowingModel& model) { return bonded_answers(simulation, response(model)); };
   try {
-    GrowingModel own(simulation.compiled->system, reduce_options(scene, *simulation.compiled, targets));
+    GrowingModel own(simulation.compiled()->system, reduce_options(scene, *simulation.compiled(), targets));
     CellsCompared::Reduced compared;
     {
       GrowingModel better(finer.system, reduce_options(scene, finer, targets));
@@ -89,33 +89,33 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
 }
 
 ShearError by_march(const Simulation& simulation, const CompiledScene& finer) {
-  const double step = choose_step(compared(simulation), *simulation.compiled, 4).largest_step;
-  check_steps(simulation.scene, step, {}, "for an estimate of the mesh's error");
+  const double step = choose_step(compared(simulation), *simulation.compiled(), 4).largest_step;
+  check_steps(simulation.scene(), step, {}, "for an estimate of the mesh's error");
   const auto shear = [&](const CompiledScene& on) {
-    const TimeGrid grid = make_time_grid(kinks(on.system), simulation.scene.time.end, step);
+    const TimeGrid grid = make_time_grid(kinks(on.system), simulation.scene().time.end, step);
     return marched_shear(on, SchemeKind::sdirk4, grid);
   };
-  return difference(shear(*simulation.compiled), shear(finer));
+  return difference(shear(*simulation.compiled()), shear(finer));
 }
 
 }  // namespace
 
 Simulation with_halved_cells(const Simulation& simulation, bool with_interface) {
-  const std::shared_ptr<const Mesh> mesh = halved(*simulation.mesh);
-  Simulation other = resolved_on(simulation.given, mesh);
+  const std::shared_ptr<const Mesh> mesh = halved(*simulation.mesh());
+  Simulation::Parts other = resolved_on(simulation.given(), mesh);
   other.with_interface = with_interface;
-  if (simulation.soil) other.soil_state = of_children(simulation.soil_state, *simulation.mesh, *mesh);
+  if (simulation.soil()) other.soil_state = of_children(simulation.soil_state(), *simulation.mesh(), *mesh);
   return assembled(std::move(other));
 }
 
 Simulation with_halved_cells(const Simulation& simulation) {
-  return with_halved_cells(simulation, simulation.with_interface);
+  return with_halved_cells(simulation, simulation.with_interface());
 }
 
 Simulation assembled_again(const Simulation& simulation) {
-  Simulation other = resolved_on(simulation.given, simulation.mesh);
-  other.with_interface = simulation.with_interface;
-  if (simulation.soil) other.soil_state = simulation.soil_state;
+  Simulation::Parts other = resolved_on(simulation.given(), simulation.mesh());
+  other.with_interface = simulation.with_interface();
+  if (simulation.soil()) other.soil_state = simulation.soil_state();
   return assembled(std::move(other));
 }
 
@@ -125,10 +125,10 @@ ShearError with_margin(const ShearError& moved) {
 }
 
 CellsCompared compare_cells(const Simulation& simulation) {
-  const std::shared_ptr<const CompiledScene> finer = with_halved_cells(simulation).compiled;
+  const std::shared_ptr<const CompiledScene> finer = with_halved_cells(simulation).compiled();
   CellsCompared out;
   out.reduced = by_reduced_models(simulation, *finer);
-  const auto shear = [&](const Response& response) { return shear_history(*simulation.compiled, response); };
+  const auto shear = [&](const Response& response) { return shear_history(*simulation.compiled(), response); };
   out.error = with_margin(out.reduced ? difference(shear(out.reduced->coarse), shear(out.reduced->finer))
                                       : by_march(simulation, *finer));
   return out;

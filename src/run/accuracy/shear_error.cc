@@ -92,9 +92,9 @@ double part_to_split(double error, double aim) {
 void require_measurable(const Simulation& simulation) {
   const std::string cure = "give a number of uniform refinements";
   std::string why;
-  if (!simulation.compiled->caisson) why = "the mesh has no surface 'caisson' whose F_T would show it";
-  for (const Exclusion& reason : excluded(simulation.given, Treatment::adapted_mesh)) why = reason.why;
-  if (simulation.compiled->loads_on_caisson.empty()) why = "no load acts";
+  if (!simulation.compiled()->caisson) why = "the mesh has no surface 'caisson' whose F_T would show it";
+  for (const Exclusion& reason : excluded(simulation.given(), Treatment::adapted_mesh)) why = reason.why;
+  if (simulation.compiled()->loads_on_caisson.empty()) why = "no load acts";
   if (!why.empty()) throw InputError(at_key("mesh.refine"), "refine = \"auto\": " + why, cure);
 }
 
@@ -122,14 +122,14 @@ class Adaptation {
 
   /// The scene on the present mesh; its accuracy is set where this mesh is good enough.
   Simulation assemble() {
-    Simulation scene = on_mesh(given_, mesh_);
-    require_measurable(scene);
-    cells_ = mesh_error(scene.scene, *scene.space, *scene.unknowns, *scene.compiled);
-    const int n = scene.compiled->system.n_free();
+    const Simulation simulation = on_mesh(given_, mesh_);
+    require_measurable(simulation);
+    cells_ = mesh_error(simulation.scene(), *simulation.space(), *simulation.unknowns(), *simulation.compiled());
+    const int n = simulation.compiled()->system.n_free();
     if (n > most_unknowns) throw_out_of_reach(given_, accuracy_, n);
     measured_ = scale_ * cells_.sum <= aim_;
-    if (measured_) measure(scene, n);
-    return scene;
+    if (!measured_ || !measure(simulation, n)) return simulation;
+    return simulation.with([&](auto& parts) { parts.accuracy = accuracy_; });
   }
 
   /// Where cells with large errors were split and the error has hardly fallen, nearly all cells with a part in the
@@ -152,12 +152,13 @@ class Adaptation {
   }
 
  private:
-  void measure(Simulation& simulation, int n) {
+  /// Whether the error is small enough.
+  bool measure(const Simulation& simulation, int n) {
     accuracy_.compared = std::make_shared<const CellsCompared>(compare_cells(simulation));
     accuracy_.levels.push_back({n, accuracy_.compared->error});
     const double error = driving(given_, accuracy_.levels.back().error);
-    if (error <= aim_) simulation.accuracy = accuracy_;
     if (cells_.sum > 0.) scale_ = error / cells_.sum;
+    return error <= aim_;
   }
 
   const Scene& given_;
@@ -178,12 +179,13 @@ Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
   const auto progress = watched("refining the mesh");
   for (;;) {
     progress(adaptation.done());
-    Simulation simulation = adaptation.assemble();
-    if (simulation.accuracy) {
-      if (given.accuracy.of == AccuracyOf::history) simulation.scene.tolerance = share_of_rest * given.tolerance;
-      simulation.given_mesh = std::move(coarse);
-      simulation.timing.mesh = watch.seconds() - simulation.timing.compile;
-      return simulation;
+    const Simulation simulation = adaptation.assemble();
+    if (simulation.accuracy()) {
+      return simulation.with([&](auto& parts) {
+        if (given.accuracy.of == AccuracyOf::history) parts.scene.tolerance = share_of_rest * given.tolerance;
+        parts.given_mesh = std::move(coarse);
+        parts.timing.mesh = watch.seconds() - parts.timing.compile;
+      });
     }
     adaptation.refine();
   }

@@ -54,13 +54,13 @@ void require_pressing(const Interface& interface, const Vector& N) {
 /// check_at_rest.
 RestForces rest_forces(const Simulation& simulation, const Interface& interface) {
   const auto by_ground = [&](bool has_settled) {
-    return static_normal_forces(simulation.scene, *simulation.mesh, simulation.soil_state, has_settled);
+    return static_normal_forces(simulation.scene(), *simulation.mesh(), simulation.soil_state(), has_settled);
   };
   const std::vector<std::pair<std::string, std::function<Vector()>>> ways = {
       {"at rest: caisson and soils under their weight", [&] { return by_ground(false); }},
       {"at rest: the caisson set down on soils that have settled", [&] { return by_ground(true); }},
       {"at rest: stresses linear over the bottom",
-       [&] { return linear_forces(interface, caisson_in_water(simulation.scene, *simulation.mesh)); }}};
+       [&] { return linear_forces(interface, caisson_in_water(simulation.scene(), *simulation.mesh())); }}};
   RestForces rest;
   for (const auto& [way, forces] : ways) {
     rest.ladder.push_back({way, ""});
@@ -184,11 +184,11 @@ Ladder joined(Ladder ladder, const Ladder& more) {
 /// Sets friction and the forces at rest, with the sum W' of [sliding] where that is given. Returns the ways tried, if
 /// several.
 Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
-  interface.friction = contact_friction(simulation.scene);
+  interface.friction = contact_friction(simulation.scene());
   RestForces rest = rest_forces(simulation, interface);
   interface.normal_force = std::move(rest.normal_force);
-  if (simulation.scene.sliding)
-    interface.normal_force *= simulation.scene.sliding->submerged_weight / interface.normal_force.sum();
+  if (simulation.scene().sliding)
+    interface.normal_force *= simulation.scene().sliding->submerged_weight / interface.normal_force.sum();
   return rest.ladder.size() > 1 ? std::move(rest.ladder) : Ladder();
 }
 
@@ -206,8 +206,8 @@ Solution without_node_forces(Solution solution, int n_nodes, System& system) {
 void add_soil_to_node_forces(const Simulation& simulation, const System& system, System& tied) {
   const int n_nodes = system.interface->n_nodes(), first = system.first_slip();
   const std::size_t first_reading = tied.readings.size() - 2 * static_cast<std::size_t>(n_nodes);
-  const Unknowns& unknowns = *simulation.unknowns;
-  for (unsigned dof = 0; dof < simulation.space->dofs().n_dofs(); ++dof)
+  const Unknowns& unknowns = *simulation.unknowns();
+  for (unsigned dof = 0; dof < simulation.space()->dofs().n_dofs(); ++dof)
     for (const auto& [unknown, weight] : unknowns.expansion(dof)) {
       if (unknown < first) continue;
       const bool is_slip = unknown < system.first_opening();
@@ -231,14 +231,16 @@ Solution march_yielding_contact(const Simulation& simulation, const MarchOptions
   std::optional<ContactRecorder> recorder;
   YieldingRunOptions options;
   options.follower.soil = follow;
-  options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.compiled->system, scheme); };
+  options.follower.begin = [&](const Scheme& scheme) {
+    return &recorder.emplace(simulation.compiled()->system, scheme);
+  };
   options.follower.end = [&] { return followed_by(*recorder); };
   return run_yielding(simulation, marching, progress, options);
 }
 
 Solution march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care) {
-  const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.compiled->system, true, care.refined);
-  ContactRecorder recorder(simulation.compiled->system, *scheme);
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.compiled()->system, true, care.refined);
+  ContactRecorder recorder(simulation.compiled()->system, *scheme);
   MarchOptions options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
   const std::string reason = "bonded, the caisson would slip or lift at some node";
@@ -247,7 +249,7 @@ Solution march_contact(const Simulation& simulation, const MarchOptions& marchin
     solution.contact = followed_by(recorder);
     return solution;
   } catch (const NumericsError& error) {
-    if (simulation.scene.time.inertia) throw;
+    if (simulation.scene().time.inertia) throw;
     throw NumericsError(std::string(error.what()) +
                         "; without inertia (time.inertia = false) nothing stops a caisson whose friction is exceeded");
   }
@@ -256,9 +258,9 @@ Solution march_contact(const Simulation& simulation, const MarchOptions& marchin
 }  // namespace
 
 void check_at_rest(const Simulation& simulation) {
-  if (!has_frictional_contact(simulation.scene) || !simulation.compiled->caisson) return;
-  const Caisson& caisson = *simulation.compiled->caisson;
-  const WeightInWater at_rest = caisson_in_water(simulation.scene, *simulation.mesh);
+  if (!has_frictional_contact(simulation.scene()) || !simulation.compiled()->caisson) return;
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const WeightInWater at_rest = caisson_in_water(simulation.scene(), *simulation.mesh());
   const double eccentricity = at_rest.x - caisson.bottom_centre[0];
   if (!(at_rest.weight > 0.))
     throw InputError(at_key("regions.caisson"),
@@ -274,18 +276,18 @@ void check_at_rest(const Simulation& simulation) {
 
 Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
                      const std::function<void(double)>& progress, const SoilFollower& follow) {
-  const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled);
+  const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled());
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
   const Ladder at_rest = set_at_rest(simulation, *system.interface);
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
-  const auto tied = std::make_shared<CompiledScene>(*simulation.compiled);
+  const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = glued(system, true);
   const Simulation bonded = with_system(simulation, tied);
   ObserverFunction reported = progress_observer(progress);
   MarchOptions silent;
   silent.observers = {&reported};
-  const bool soil_yields = yields(simulation.scene);
+  const bool soil_yields = yields(simulation.scene());
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
   Solution before = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
   const double margin = before.reduction ? before.reduction->error_of_others : 0.;
@@ -299,7 +301,7 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
   before.ladder = joined(at_rest, before.ladder);
   add_loads(uplift, system);
   // with other starts of yielding soil nodes may slip, though they do not with this one
-  if (!found.demand.reached && !simulation.scene.fields_every && !soil_yields) {
+  if (!found.demand.reached && !simulation.scene().fields_every && !soil_yields) {
     before.contact = {found, {}, nullptr};
     return before;
   }
@@ -310,7 +312,7 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
     return march_contact(*moving, options, care);
   };
   Solution solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow)
-                                : climb(*moving, ways_with_care(simulation.scene, "contact", solve), unkept);
+                                : climb(*moving, ways_with_care(simulation.scene(), "contact", solve), unkept);
   solved.simulation = moving;
   solved.ladder = joined(before.ladder, solved.ladder);
   solved.periods = before.periods;

@@ -77,8 +77,8 @@ bool has_pore_pressure(const CompiledScene& compiled) {
 }  // namespace
 
 void check_sliding(const Simulation& simulation) {
-  const Scene& scene = simulation.scene;
-  const CompiledScene& compiled = *simulation.compiled;
+  const Scene& scene = simulation.scene();
+  const CompiledScene& compiled = *simulation.compiled();
   if (!scene.sliding || !compiled.caisson) return;
   const SlidingChoice& sliding = *scene.sliding;
   Diagnostics mistakes;

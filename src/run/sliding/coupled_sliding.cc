@@ -73,8 +73,8 @@ void require_none(const std::string& why_no_distance) {
 
 ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
                      const std::function<void(double)>& progress) {
-  const Scene& s = simulation.scene;
-  const Response response = respond(bonded, s, simulation.compiled->system);
+  const Scene& s = simulation.scene();
+  const Response response = respond(bonded, s, simulation.compiled()->system);
   SlipReduction reduction = reduce_sliding(simulation, nullptr, response.ends, progress);
   // whether slip is well posed must show here, and not only when waves are computed
   slip_model(reduction.system, slip_law(reduction.system, s.sliding->friction, slip_uplift(*s.sliding)));
@@ -92,22 +92,22 @@ double slip_of(const Scene& scene, const ReducedSystem& system, const SampledLoa
 }
 
 SlipProblem problem_on(const Scene& scene, const Simulation& on, const Series& bonded) {
-  const AssembledScene sliding = assemble_scene(on.scene, *on.mesh, on.absent, on.soil_state, true);
+  const AssembledScene sliding = assemble_scene(on.scene(), *on.mesh(), on.absent(), on.soil_state(), true);
   return slip_problem(scene, *sliding.compiled, slip_uplift(*scene.sliding), bonded);
 }
 
 SlipProblem finer_problem(const Scene& scene, const Simulation& simulation, const Series& bonded) {
   const Simulation finer = with_halved_cells(simulation, true);
-  return slip_problem(scene, *finer.compiled, slip_uplift(*scene.sliding), bonded);
+  return slip_problem(scene, *finer.compiled(), slip_uplift(*scene.sliding), bonded);
 }
 
 }  // namespace
 
 std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded) {
   constexpr double enough = 0.1;  // of the tolerance
-  Scene scene = simulation.scene;
+  Scene scene = simulation.scene();
   scene.tolerance = whole_tolerance(simulation);
-  const SampledLoads loads = loads_of_slip(scene, *simulation.compiled);
+  const SampledLoads loads = loads_of_slip(scene, *simulation.compiled());
   const auto slip = [&](const GrowingModel& model) { return slip_of(scene, model.system(), loads); };
   const auto read = [&](const GrowingModel& model) -> Answers { return {Eigen::VectorXd::Constant(1, slip(model))}; };
   try {
@@ -134,10 +134,10 @@ std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Res
 CoupledSummary slide_as_whole(const Simulation& simulation, SlipAhead* ahead, const Series& bonded,
                               const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  const SlidingChoice& choice = *simulation.scene.sliding;
+  const SlidingChoice& choice = *simulation.scene().sliding;
   const SlipReduction reduction = reduce_sliding(simulation, ahead, bonded, progress);
   const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
-  const SampledLoads loads = loads_of_slip(simulation.scene, *simulation.compiled);
+  const SampledLoads loads = loads_of_slip(simulation.scene(), *simulation.compiled());
   CoupledHistory history;
   const SlipModel model = slip_model(reduction.system, law);
   const double step = loads.time[1] - loads.time[0];
@@ -168,7 +168,7 @@ CoupledSummary slide_as_whole(const Simulation& simulation, SlipAhead* ahead, co
 ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,
                              const std::function<void(double)>& progress) {
   ReducedSlip slip;
-  if (!simulation.scene.sliding) return slip;
+  if (!simulation.scene().sliding) return slip;
   slip.why_not = why_no_slip(simulation);
   if (!slip.why_not.empty()) return slip;
   const Stopwatch watch;

@@ -11,14 +11,14 @@ namespace upbead {
 namespace {
 
 AssembledScene with_interface(const Simulation& simulation) {
-  return assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state, true);
+  return assemble_scene(simulation.scene(), *simulation.mesh(), simulation.absent(), simulation.soil_state(), true);
 }
 
 /// The largest horizontal force over the friction by the caisson's weight.
 double demand(const Simulation& simulation) {
-  const TimeFunction P = force_on_caisson(*simulation.compiled);
-  const double end = simulation.scene.time.end;
-  const SlidingChoice& sliding = *simulation.scene.sliding;
+  const TimeFunction P = force_on_caisson(*simulation.compiled());
+  const double end = simulation.scene().time.end;
+  const SlidingChoice& sliding = *simulation.scene().sliding;
   return std::max(extremum(P, 0., end, 1).value, -extremum(P, 0., end, -1).value) /
          (sliding.friction * sliding.submerged_weight);
 }
@@ -30,23 +30,23 @@ struct Tell {
 };
 
 bool is_worth_it(const Simulation& simulation) {
-  return has_spare_core() && simulation.scene.sliding && simulation.compiled->caisson &&
+  return has_spare_core() && simulation.scene().sliding && simulation.compiled()->caisson &&
          why_no_slip(simulation).empty() && demand(simulation) > 1.;
 }
 
 }  // namespace
 
 std::string why_no_slip(const Simulation& simulation) {
-  const System& system = simulation.compiled->system;
+  const System& system = simulation.compiled()->system;
   if (system.is_divided()) return "several processes share the work";
-  if (!simulation.scene.time.inertia) return "consolidation has no dynamics";
-  if (yields(simulation.scene))
+  if (!simulation.scene().time.inertia) return "consolidation has no dynamics";
+  if (yields(simulation.scene()))
     return "the soil yields, and slip as a whole is followed on a reduced model of linear ground alone";
-  const std::string& region = simulation.compiled->caisson->body.region;
-  const std::vector<Body>& bodies = simulation.compiled->bodies;
+  const std::string& region = simulation.compiled()->caisson->body.region;
+  const std::vector<Body>& bodies = simulation.compiled()->bodies;
   if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
     return "the caisson deforms";
-  if (!bottom_is_level(*simulation.mesh)) return "the caisson's bottom is not level";
+  if (!bottom_is_level(*simulation.mesh())) return "the caisson's bottom is not level";
   return "";
 }
 
@@ -57,7 +57,7 @@ UpliftKind slip_uplift(const SlidingChoice& choice) {
 
 SlidingSpace::SlidingSpace(const Simulation& simulation, AssembledScene assembled)
     : assembled_(std::move(assembled)),
-      space_(simulation.scene, *assembled_.compiled, slip_uplift(*simulation.scene.sliding)) {}
+      space_(simulation.scene(), *assembled_.compiled, slip_uplift(*simulation.scene().sliding)) {}
 
 void SlipAhead::begin() {
   if (!simulation_ || !is_worth_it(*simulation_)) return;
@@ -78,7 +78,7 @@ void SlipAhead::leave_mesh() const {
 }
 
 std::unique_ptr<SlidingSpace> SlipAhead::space(const Simulation& simulation) {
-  if (space_.valid() && slip_uplift(*simulation.scene.sliding) == slip_uplift(*simulation_->scene.sliding))
+  if (space_.valid() && slip_uplift(*simulation.scene().sliding) == slip_uplift(*simulation_->scene().sliding))
     return space_.get();
   return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
 }

@@ -79,16 +79,18 @@ TimeFunction prescribed_uplift(const UpliftChoice& uplift, const TimeFunction& P
 
 std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::vector<double>& position,
                                      const std::vector<double>& length) {
-  const auto& sliding = simulation.scene.sliding;
-  if (!simulation.compiled->caisson || !sliding || !sliding->uplift || sliding->uplift->kind != UpliftKind::prescribed)
+  const auto& sliding = simulation.scene().sliding;
+  if (!simulation.compiled()->caisson || !sliding || !sliding->uplift ||
+      sliding->uplift->kind != UpliftKind::prescribed)
     return {};
   const UpliftChoice& uplift = *sliding->uplift;
-  const Caisson& caisson = *simulation.compiled->caisson;
+  const Caisson& caisson = *simulation.compiled()->caisson;
   const double B = caisson.bottom_width, from = caisson.bottom_centre[0] - 0.5 * B, to = from + B;
   std::vector<UpliftPart> parts = uplift.parts;
   if (parts.empty()) {
     const bool triangle = uplift.distribution == UpliftDistribution::triangle;  // p_u = 2 U/B, Goda (2000)
-    const TimeFunction U = prescribed_uplift(uplift, force_on_caisson(*simulation.compiled), simulation.scene.time.end);
+    const TimeFunction U =
+        prescribed_uplift(uplift, force_on_caisson(*simulation.compiled()), simulation.scene().time.end);
     parts.push_back({{{from, (triangle ? 2. : 1.) / B}, {to, triangle ? 0. : 1. / B}}, U});
   }
   std::vector<UpliftLoad> loads;

@@ -60,7 +60,7 @@ void write_down(Record& record, const std::string& what, const std::vector<std::
 void compare(Record& record, const std::string& path) {
   const Case input = read_case(path);
   const Simulation scene = simulation_of(input);
-  const System& system = scene.compiled->system;
+  const System& system = scene.compiled()->system;
   const int impulse = load_named(system, "impulse");
   const TimeFunction& P = system.loads.at(impulse).history;
   const double step = (P.kinks().back() - P.kinks().front()) / 16.;

@@ -29,10 +29,11 @@ ReducedSystem projected(const CompiledScene& compiled, double shift, int n_vecto
 TEST(ReducedMarch, PrototypeDampedAtLength) {
   Record record("reduced_march");
   const Simulation scene = simulation_of(prototype());
-  const Reduction reduction = reduce_scene(scene.scene, *scene.compiled, {true, false, {}});
+  const Reduction reduction = reduce_scene(scene.scene(), *scene.compiled(), {true, false, {}});
   ASSERT_TRUE(reduction.converged);
   write_down(record, "shipped prototype",
-             error_against(reduction.model, scene.compiled->system, scene.scene.time.end, duration / 64.), asked_for);
+             error_against(reduction.model, scene.compiled()->system, scene.scene().time.end, duration / 64.),
+             asked_for);
   record.at_most("shipped prototype: vectors", reduction.n_vectors, 30);
 }
 
@@ -40,10 +41,10 @@ TEST(ReducedMarch, PrototypeUndampedAtLength) {
   Record record("reduced_march");
   const Simulation scene =
       simulation_of(prototype({"regions.seabed.damping.ratio=0", "regions.mound.damping.ratio=0"}));
-  const ReducedSystem reduced = projected(*scene.compiled, 1.75 * 2. * pi / duration, 45);
+  const ReducedSystem reduced = projected(*scene.compiled(), 1.75 * 2. * pi / duration, 45);
   const ModalModel model = modal_model(state_space(reduced), reduced);
   write_down(record, "shipped prototype without damping, 45 vectors",
-             error_against(model, scene.compiled->system, scene.scene.time.end, duration / 64.), asked_for);
+             error_against(model, scene.compiled()->system, scene.scene().time.end, duration / 64.), asked_for);
 }
 
 /// Largest growth of |s| within one of 400 steps of a 50th of a duration, from a state after the loads.
@@ -80,7 +81,7 @@ TEST(ReducedStability, Prototype) {
     const Simulation scene = simulation_of(prototype(
         damped ? std::vector<std::string>{}
                : std::vector<std::string>{"regions.seabed.damping.ratio=0", "regions.mound.damping.ratio=0"}));
-    const ReducedSystem reduced = projected(*scene.compiled, (damped ? 1.25 : 1.75) * 2. * pi / duration, 45);
+    const ReducedSystem reduced = projected(*scene.compiled(), (damped ? 1.25 : 1.75) * 2. * pi / duration, 45);
     const StateSpace space = state_space(reduced);
     const ModalModel model = modal_model(space, reduced);
     const Eigen::MatrixXd symmetric = 0.5 * (space.A + space.A.transpose());
@@ -94,7 +95,7 @@ TEST(ReducedStability, Prototype) {
     record.at_most(what + "root of the energy after a step without load, over that before, minus 1", growth(space) - 1.,
                    1e-12);
     record.at_most(what + "readings after 1e6 s, of their largest before",
-                   left_after_decay(model, scene.compiled->system), 1.);
+                   left_after_decay(model, scene.compiled()->system), 1.);
   }
 }
 

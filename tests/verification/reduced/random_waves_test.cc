@@ -31,9 +31,9 @@ SampledLoads sampled(const Eigen::VectorXd& force) {
 
 TEST(ReducedWaves, OfThePrototypeAtLength) {
   const Simulation scene = simulation_of(prototype());
-  const System& system = scene.compiled->system;
+  const System& system = scene.compiled()->system;
   ASSERT_EQ(system.loads.size(), 1u);
-  const Reduction reduction = reduce_scene(scene.scene, *scene.compiled, {true, true, {}});
+  const Reduction reduction = reduce_scene(scene.scene(), *scene.compiled(), {true, true, {}});
   ASSERT_TRUE(reduction.converged);
   const int shear = system.reading(reading::shear_force);
   const Kernel kernel = discrete_kernel(system, {}, 0, {shear}, step, n - 1);
