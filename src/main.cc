@@ -32,10 +32,10 @@ void prefer_large_pages() {
 }
 
 /// Tells mistakes of a case before the solver starts, which takes half a second. Not where several processes read the
-/// same case: there the solver tells them once.
+/// same case: there the solver tells them once; nor of a sheet, whose file may be a design.
 void check_case_first(int argc, char** argv) {
   const std::string command = argv[1];
-  if (command == "study" || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
+  if (command == "study" || command == "sheet" || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
   upbead::check_case_of(argc, argv);
 }
 

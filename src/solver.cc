@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
   try {
     const upbead::PetscSession petsc;
     const std::vector<upbead::Command> solving{upbead::explain_command(), upbead::run_command(),
-                                               upbead::reduce_command(), upbead::study_command()};
+                                               upbead::sheet_command(), upbead::reduce_command(),
+                                               upbead::study_command()};
     code = upbead::run_program(argc, argv, solving + upbead::light_commands());
     if (!upbead::is_launched()) leave(code);  // else MPI is to be left in order
   } catch (...) {

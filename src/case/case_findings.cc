@@ -104,6 +104,7 @@ Finding waves_finding(const Case* input) {
     s.formula_checks = formula_checks(s.waves, e.scene.limits);
   });
   f.checks = [](const Scene&, const Summary& s) { return s.formula_checks; };
+  f.warnings = [](const Evidence& e, const Summary& s) { return factor_warnings(s.formula_checks, e.scene.limits); };
   f.needs_no_march = true;
   return f;
 }

@@ -10,24 +10,6 @@ namespace {
 
 const Words<AccuracyOf> accuracy_of_words{{"peak", AccuracyOf::peak}, {"history", AccuracyOf::history}};
 
-TableSchema<Fluid> fluid_schema() {
-  TableSchema<Fluid> table;
-  table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
-  table.key("bulk_modulus", &Fluid::bulk_modulus)
-      .unit("Pa")
-      .range(above(0.).or_infinite())
-      .doc("bulk modulus of the water; inf is allowed");
-  table.key("viscosity", &Fluid::viscosity)
-      .unit("Pa s")
-      .range(above(0.))
-      .doc("dynamic viscosity of the water, for regions with a permeability");
-  table.key("atmospheric_pressure", &Fluid::atmospheric_pressure)
-      .unit("Pa")
-      .range(at_least(0.))
-      .doc("pressure of the air on still water, for regions with a saturation below 1");
-  return table;
-}
-
 TableSchema<MeshChoice> mesh_schema() {
   TableSchema<MeshChoice> table;
   table.key("geometry", &MeshChoice::geometry).doc("name of a shipped geometry; or file");
@@ -202,6 +184,24 @@ TableSchema<CaseTables> output_schema() {
 
 }  // namespace
 
+TableSchema<Fluid> fluid_schema() {
+  TableSchema<Fluid> table;
+  table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
+  table.key("bulk_modulus", &Fluid::bulk_modulus)
+      .unit("Pa")
+      .range(above(0.).or_infinite())
+      .doc("bulk modulus of the water; inf is allowed");
+  table.key("viscosity", &Fluid::viscosity)
+      .unit("Pa s")
+      .range(above(0.))
+      .doc("dynamic viscosity of the water, for regions with a permeability");
+  table.key("atmospheric_pressure", &Fluid::atmospheric_pressure)
+      .unit("Pa")
+      .range(at_least(0.))
+      .doc("pressure of the air on still water, for regions with a saturation below 1");
+  return table;
+}
+
 TableSchema<CaseTables> case_schema() {
   TableSchema<CaseTables> table;
   table.key("title", &CaseTables::title).doc("title of the case");
@@ -233,6 +233,8 @@ TableSchema<CaseTables> case_schema() {
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
+  table.elsewhere({"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics",
+                   "impact", "calibration"});  // of `waves`, `expected`, `calibrate`: a case may be their design, too
   return table;
 }
 

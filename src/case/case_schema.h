@@ -42,6 +42,7 @@ struct CaseTables : Scene {
 CaseTables effective_tables(const Case& problem, const std::string& output_folder);
 
 TableSchema<CaseTables> case_schema();
+TableSchema<Fluid> fluid_schema();
 TableSchema<Region> region_schema();
 TableSchema<LoadTable> load_schema();
 TableSchema<SlidingTable> sliding_schema();

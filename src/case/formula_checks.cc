@@ -25,12 +25,16 @@ class FormulaChecks {
     return check;
   }
 
-  /// The three checks of a direction; `names`: of sliding, overturning and pressure; `keys`: likewise.
+  /// The three checks of a direction; `names`: of sliding, overturning and pressure; `keys`: likewise;
+  /// `sliding_factor`: the least against sliding.
   void add(const Stability& s, const std::array<const char*, 3>& names, const std::array<const char*, 3>& keys,
-           const char* assumption) {
-    list_.push_back(at_least_as(check(names[0], "", s.safety_sliding, keys[0], assumption), 1.));
-    list_.push_back(
-        at_least_as(check(names[1], "", s.safety_overturning, keys[1], assumption), limits_.overturning.value_or(1.)));
+           const char* assumption, const std::optional<double>& sliding_factor) {
+    Check sliding = check(names[0], "", s.safety_sliding, keys[0], assumption);
+    sliding.balance = Balance{s.force, s.safety_sliding * s.force, "N/m"};
+    Check overturning = check(names[1], "", s.safety_overturning, keys[1], assumption);
+    overturning.balance = Balance{s.moment, s.safety_overturning * s.moment, "N m/m"};
+    list_.push_back(at_least_as(sliding, sliding_factor.value_or(1.)));
+    list_.push_back(at_least_as(overturning, limits_.overturning.value_or(1.)));
     list_.push_back(at_most(check(names[2], "Pa", s.heel_pressure, keys[2], assumption), limits_.base_pressure));
   }
 
@@ -49,8 +53,10 @@ class FormulaChecks {
         keys{"standing.safety_sliding", "standing.safety_overturning", "standing.heel_pressure"},
         seaward_keys{"standing.trough_safety_sliding", "standing.trough_safety_overturning", "standing.toe_pressure"};
     if (const auto& standing = answer_.standing.answer) {
-      add(standing->landward, landward, keys, standing_wave);
-      add(standing->seaward, seaward, seaward_keys, "the trough of the standing wave, without suction under the base");
+      const auto& landward_factor = limits_.sliding_factor;
+      add(standing->landward, landward, keys, standing_wave, landward_factor);
+      add(standing->seaward, seaward, seaward_keys, "the trough of the standing wave, without suction under the base",
+          limits_.seaward_sliding_factor ? limits_.seaward_sliding_factor : landward_factor);
     } else {
       list_.push_back(not_checked(check(seaward[0], "", {}, seaward_keys[0], standing_wave), answer_.standing.why_not));
     }
@@ -64,15 +70,37 @@ class FormulaChecks {
   Checks list_;
 };
 
+/// The factor that codes ask for against sliding and overturning: Goda (2000), Japanese practice.
+constexpr double of_practice = 1.2;
+
 }  // namespace
 
 Checks formula_checks(const FormulaAnswer& answer, const Limits& limits) {
   FormulaChecks checks(answer, limits);
   checks.add(answer.stability, {"sliding by formulas", "overturning by formulas", "heel pressure p_e"},
-             {"safety_sliding", "safety_overturning", "heel_pressure"}, goda);
+             {"safety_sliding", "safety_overturning", "heel_pressure"}, goda, limits.sliding_factor);
   checks.add_sliding_distance();
   checks.add_standing();
   return checks.take();
+}
+
+NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits) {
+  NumberedWarnings list;
+  const auto warn = [&](const std::string& about, const std::optional<double>& given) {
+    if (given) return;
+    const Check* least = nullptr;
+    for (const Check& check : checks)
+      if (check.balance && check.name.rfind(about, 0) == 0 && (!least || *check.demand < *least->demand))
+        least = &check;
+    if (!least || *least->demand < 1. || *least->demand >= of_practice) return;
+    const std::string key = about == "sliding" ? "limits.sliding_factor" : "limits.overturning";
+    list.push_back({"factor_below_practice", *least->demand, of_practice, "1",
+                    text_of(*least) + ": that limit is equilibrium alone, and Japanese practice asks for 1.2",
+                    "give " + key + ", 1.2 or as your code asks"});
+  };
+  warn("sliding", limits.sliding_factor);
+  warn("overturning", limits.overturning);
+  return list;
 }
 
 }  // namespace upbead

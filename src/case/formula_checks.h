@@ -23,4 +23,7 @@ struct FormulaAnswer {
 /// Sliding, overturning and p_e, landward and seaward. A safety factor has the limit 1 where [limits] gives none.
 Checks formula_checks(const FormulaAnswer& answer, const Limits& limits);
 
+/// Warns of the least factor of a kind that is above 1 and below 1.2, where [limits] asks for none.
+NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits);
+
 }  // namespace upbead

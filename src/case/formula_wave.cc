@@ -121,6 +121,25 @@ TableSchema<Limits> limits_schema() {
           "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
           "with "
           "less does not stand. Has the factor computed, as initial.safety does");
+  table.key("sliding_factor", &Limits::sliding_factor)
+      .range(above(0.))
+      .fallback("1")
+      .doc("least safety factor against sliding landward, by formulas, that is allowed; 1.2 in Japanese practice");
+  table.key("seaward_sliding_factor", &Limits::seaward_sliding_factor)
+      .range(above(0.))
+      .fallback("as sliding_factor")
+      .doc("least safety factor against sliding seaward, in the trough, by formulas, that is allowed");
+  table.key("settlement", &Limits::settlement)
+      .unit("m")
+      .range(above(0.))
+      .doc("largest settlement of the caisson, left in the end by soil that yields, that is allowed");
+  table.key("tilt", &Limits::tilt)
+      .unit("rad")
+      .range(above(0.))
+      .doc("largest tilt of the caisson, left in the end by soil that yields, that is allowed");
+  table.key("lives_beyond", &Limits::lives_beyond)
+      .range(between(0., 1.))
+      .doc("largest share of the lives that may slide farther than `sliding`");
   return table;
 }
 

@@ -1,5 +1,7 @@
 // The commands that solve a case, as far as both programs know them: upbead, and the solver that does their work.
 
+#include <map>
+
 #include "cli/command.h"
 
 namespace upbead {
@@ -39,6 +41,22 @@ Examples:
   upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga
   upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio)";
 
+const char* const sheet_footer =
+    R"(Does all that a file allows: its waves by formulas at all levels of still water ([section], [waves.NAME],
+[levels]), the run ([mesh], [regions], [loads.NAME]), the sliding of a record of seas or of a life ([sea] or
+[storms], [life]). Prints one table: each check with demand, capacity, factor, the factor required, and the
+measure; the worst of each way to fail governs it. What the file does not ask for and what the program does not
+look at stands below it. Limits are those of [limits].
+
+Writes into results/NAME-sheet (or --out DIR), all or nothing:
+  summary.json   the table, and the summaries of waves, run and expected in it
+  sheet.md       the table as Markdown
+  results.h5     the histories of the run
+
+Examples:
+  upbead sheet cases/designer/section.toml
+  upbead sheet cases/designer/design.toml --json | jq .verdict.text)";
+
 const char* const reduce_footer =
     R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
 'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
@@ -72,7 +90,9 @@ Command case_command(const std::string& name, CaseOptions& options) {
   command.options = common_options(options) + std::vector{trust_option(options.trusted)};
   if (name == "run") command.options = command.options + run_options(options);
   if (name == "reduce") command.options = command.options + reduce_options(options);
-  command.footer = name == "run" ? run_footer : name == "reduce" ? reduce_footer : explain_footer;
+  static const std::map<std::string, const char*> footers{
+      {"explain", explain_footer}, {"run", run_footer}, {"sheet", sheet_footer}, {"reduce", reduce_footer}};
+  command.footer = footers.at(name);
   return command;
 }
 

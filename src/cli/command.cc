@@ -117,6 +117,7 @@ Option trust_option(bool& trusted) {
 std::vector<Command> solver_commands() {
   return {{"explain", "check a case and print what would be solved, without solving"},
           {"run", "solve a case and write F_T(t), its peak and all histories"},
+          {"sheet", "all checks that a file allows in one table: formulas, the run, the life"},
           {"reduce", "solve a scene once for all waves: write its reduced model"},
           {"study", "vary keys of cases, and run them side by side"}};
 }

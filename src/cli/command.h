@@ -91,6 +91,7 @@ void check_case_of(int argc, char** argv);
 /// Says what would be solved, what is skipped and why.
 Command explain_command();
 Command run_command();
+Command sheet_command();
 Command reduce_command();
 Command study_command();
 

@@ -9,6 +9,7 @@
 #include "cli/report.h"
 #include "design/calibrate/calibration_report.h"
 #include "design/expected_report.h"
+#include "design/sheet.h"
 #include "design/waves_report.h"
 #include "fem/compile.h"
 #include "findings/topics.h"
@@ -112,9 +113,10 @@ std::string explanation_json(const Case& input, const Simulation& simulation, co
 
 /// The keys of every summary, by command.
 std::vector<std::pair<std::string, std::vector<OutputRow>>> outputs() {
-  return {{"run", summary_outputs().rows()}, {"explain", explained_outputs().rows()},
-          {"respond", rows_of_respond()},    {"waves", rows_of_waves()},
-          {"expected", rows_of_expected()},  {"calibrate", rows_of_calibration()}};
+  return {{"run", summary_outputs().rows()},   {"explain", explained_outputs().rows()},
+          {"sheet", rows_of_sheet()},          {"respond", rows_of_respond()},
+          {"waves", rows_of_waves()},          {"expected", rows_of_expected()},
+          {"calibrate", rows_of_calibration()}};
 }
 
 std::string output_reference() {

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "case/case_schema.h"
 #include "design/design_tables.h"
 #include "input/report_table.h"
 
@@ -5,9 +8,20 @@ namespace upbead {
 
 namespace {
 
-TableSchema<Water> fluid_schema() {
+/// Keys of a table of a case that a design does not read.
+template <class T, class U>
+std::vector<std::string> left_to(const TableSchema<T>& of_case, const TableSchema<U>& of_design) {
+  std::vector<std::string> left;
+  const std::vector<std::string> own = of_design.names();
+  for (const std::string& name : of_case.names())
+    if (std::find(own.begin(), own.end(), name) == own.end()) left.push_back(name);
+  return left;
+}
+
+TableSchema<Water> sea_water_schema() {
   TableSchema<Water> table;
   table.key("density", &Water::density).unit("kg/m3").range(from_to(1., 1e4)).doc("density of the sea water");
+  table.elsewhere(left_to(fluid_schema(), table));
   return table;
 }
 
@@ -94,7 +108,7 @@ TableSchema<DesignTables> design_schema() {
       .doc(
           "water levels by name, above that of the section; for `waves`, which checks every wave at each and names the "
           "one that governs");
-  table.table("fluid", &DesignTables::water, fluid_schema()).doc("Sea water.");
+  table.table("fluid", &DesignTables::water, sea_water_schema()).doc("Sea water.");
   table.table("section", &DesignTables::section, section_schema())
       .required()
       .doc("The breakwater's cross-section, per metre of its length.");
@@ -110,6 +124,7 @@ TableSchema<DesignTables> design_schema() {
   table.table("calibration", &DesignTables::calibration, calibration_schema())
       .doc("For `calibrate`: waves and mounds, every value with every other, and reduced models.");
   table.table("report", &DesignTables::report, report_table()).doc(report_table_doc);
+  table.elsewhere(left_to(case_schema(), table));
   return table;
 }
 

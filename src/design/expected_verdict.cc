@@ -67,7 +67,21 @@ double median(const WorstOfLives& worst) {
   return *middle;
 }
 
+/// The share of the lives that slide farther than the limit.
+void add_share(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
+  if (!limits.sliding) return;
+  for (const Exceeded& e : lives.statistics.exceeded)
+    if (e.limit == *limits.sliding)
+      list.push_back(
+          routed(at_most(check_of("share of lives that slide farther than " + with_unit(e.limit, "m"), "",
+                                  e.probability, key + ".exceeded[].probability",
+                                  "95 % interval " + significant(e.interval[0]) + " to " + significant(e.interval[1])),
+                         limits.lives_beyond),
+                 lives.law));
+}
+
 void add_lives(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
+  add_share(lives, key, limits, list);
   if (!lives.base) return;
   const BaseOfLives& base = *lives.base;
   const WorstBase of_half{median(base.heel_pressure), median(base.toe_pressure), 0., median(base.overturning_margin)};
@@ -145,7 +159,8 @@ void add_beyond(const MonteCarlo& lives, const Limits& limits, NumberedWarnings&
     parts.push_back(share_text(e.probability) + " of the lives " + what + " " + limit);
   };
   for (const Exceeded& e : lives.statistics.exceeded)
-    if (limits.sliding && e.limit == *limits.sliding) add(e, "slide farther than", with_unit(e.limit, "m"));
+    if (limits.sliding && e.limit == *limits.sliding && !limits.lives_beyond)
+      add(e, "slide farther than", with_unit(e.limit, "m"));
   if (lives.base) {
     const std::string motion = lives.law == Law::dynamic ? " in motion" : "";
     const BaseOfLives& base = *lives.base;
@@ -159,7 +174,7 @@ void add_beyond(const MonteCarlo& lives, const Limits& limits, NumberedWarnings&
   if (parts.empty()) return;
   list.push_back({"lives_beyond_limit", most, 0., "1",
                   "by the law " + std::string(word(lives.law)) + " " + join(parts, "; ") +
-                      ": [limits] names no share of lives that may",
+                      ": [limits] names no such share that is allowed",
                   "look whether that share is tolerable for the use of the breakwater"});
 }
 

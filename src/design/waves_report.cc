@@ -321,6 +321,7 @@ NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>
         list.push_back(std::move(warning));
       }
   }
+  append(list, factor_warnings(checks_of(design.tables, answers), design.tables.limits));
   return list;
 }
 

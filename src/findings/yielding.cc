@@ -1,6 +1,7 @@
 // Soil that yields: what it cost, how far it yielded, where the caisson came to rest, denser soils.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/text.h"
 #include "findings/topics.h"
@@ -163,9 +164,22 @@ Check displacement_check(const Summary& summary, const std::optional<double>& li
       limit);
 }
 
+/// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
+double worst_residual(const Summary& summary, const std::function<double(const ResidualSummary&)>& of) {
+  double worst = of(*summary.residual);
+  for (const StartBound& bound : summary.nonlinear->bounds) worst = std::max(worst, of(bound.residual));
+  return worst;
+}
+
 Checks displacement_checks(const Scene& scene, const Summary& summary) {
   if (!summary.nonlinear || !summary.residual) return {};
-  return {displacement_check(summary, scene.limits.sliding)};
+  const double settlement =
+      worst_residual(summary, [](const ResidualSummary& r) { return std::max(-r.displacement_y, 0.); });
+  const double tilt = worst_residual(summary, [](const ResidualSummary& r) { return std::abs(r.rotation); });
+  const std::string how = "left when the motion has ended, after this load alone";
+  return {displacement_check(summary, scene.limits.sliding),
+          at_most(check_of("settlement", "m", settlement, "residual.displacement_y", how), scene.limits.settlement),
+          at_most(check_of("tilt", "rad", tilt, "residual.rotation", how), scene.limits.tilt)};
 }
 
 }  // namespace

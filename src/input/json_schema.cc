@@ -164,6 +164,7 @@ Json table_of(const Table& table) {
     if (key.info.required && !key.belongs) required.push_back(key.info.name);
     add_condition(table, key, json);
   }
+  for (const std::string& name : table.elsewhere()) json["properties"][name] = Json::object();
   if (!required.empty()) json["required"] = required;
   return json;
 }

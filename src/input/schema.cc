@@ -19,9 +19,9 @@ bool check_is_table(const Node& node, const std::string& path, Diagnostics& repo
   return false;
 }
 
-void check_known(const Node& node, const std::string& path, const std::vector<Key>& keys, Diagnostics& report) {
-  std::vector<std::string> known, former;
-  for (const Key& key : keys) {
+void check_known(const Node& node, const std::string& path, const Table& table, Diagnostics& report) {
+  std::vector<std::string> known = table.elsewhere(), former;
+  for (const Key& key : table.keys()) {
     known.push_back(key.info.name);
     former.push_back(key.info.former);
   }
@@ -132,7 +132,7 @@ Key& Table::add(const std::string& name) {
 
 void Table::read(const Node& node, const std::string& path, void* object, Diagnostics& report) const {
   if (!check_is_table(node, path, report)) return;
-  check_known(node, path, keys_, report);
+  check_known(node, path, *this, report);
   for (const Key& key : keys_) {
     const std::string place = dotted(path, key.info.name);
     const Node* value = find_value(node, key.info, place, report);

@@ -43,8 +43,11 @@ class Table {
   /// `make`: makes an object with all defaults.
   explicit Table(std::function<std::shared_ptr<void>()> make) : make_(std::move(make)), standard_(make_()) {}
   const std::vector<Key>& keys() const { return keys_; }
+  /// Keys that may stand in the table and are read by another schema.
+  const std::vector<std::string>& elsewhere() const { return elsewhere_; }
   std::shared_ptr<void> make() const { return make_(); }
   Key& add(const std::string& name);
+  void leave(const std::vector<std::string>& names) { elsewhere_ = names; }
   void read(const Node& node, const std::string& path, void* object, Diagnostics& report) const;
   std::string echo(const void* object, const std::string& path) const;
   void visit_numbers(void* object, const std::string& path, const NumberVisitor& visitor) const;
@@ -55,6 +58,7 @@ class Table {
   std::function<std::shared_ptr<void>()> make_;
   std::shared_ptr<const void> standard_;  ///< an object with all defaults
   std::vector<Key> keys_;
+  std::vector<std::string> elsewhere_;
 };
 
 /// JSON Schema (draft 4, which editors read) of a file with this table, for completion and checks while one types:
@@ -164,6 +168,19 @@ class TableSchema {
       return list;
     };
     return Entry<T>(key);
+  }
+
+  /// The declared keys.
+  std::vector<std::string> names() const {
+    std::vector<std::string> list;
+    for (const Key& key : table_->keys()) list.push_back(key.info.name);
+    return list;
+  }
+
+  /// Keys that may stand in the table and are left to another schema, which checks them.
+  TableSchema& elsewhere(const std::vector<std::string>& names) {
+    table_->leave(names);
+    return *this;
   }
 
   /// Reads the table `node` at the dotted path ("" for the root) into `object`; mistakes go to `report`.

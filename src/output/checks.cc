@@ -153,6 +153,13 @@ OutputSchema<Check> check_outputs() {
       .key("demand", &C::demand, "", "what the wave demands, in that unit; null: without bound, or not checked")
       .key("capacity", &C::capacity, "",
            "what the section bears: mu W', or a limit of `[limits]`; null where none is given")
+      .object("balance", &C::balance,
+              OutputSchema<Balance>()
+                  .key("acting", &Balance::acting, "", "force or moment that acts")
+                  .key("resisting", &Balance::resisting, "", "that which resists")
+                  .key("unit", &Balance::unit, "", "of both"),
+              "of a demand that is a factor of safety: what it compares")
+      .or_left_out()
       .key("margin", &C::margin, "",
            "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
            "without a capacity, or where nothing is demanded")

@@ -140,6 +140,8 @@ Stability stability(const Section& section, const WavePressure& pressure) {
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
   s.resistance = section.friction * section.submerged_weight;
   s.ratio = s.sliding_force / s.resistance;
+  s.force = pressure.force;
+  s.moment = pressure.force_moment;
   return s;
 }
 

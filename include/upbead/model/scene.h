@@ -75,11 +75,16 @@ struct SlidingChoice {
 
 /// Limits of the checks; without a limit there is no check.
 struct Limits {
-  std::optional<double> sliding;                ///< S (m)
-  std::optional<double> base_pressure;          ///< of p_e by formulas, under heel and toe (Pa)
-  std::optional<double> dynamic_base_pressure;  ///< of heel and toe in motion (Pa)
-  std::optional<double> overturning;            ///< least margin against it
-  std::optional<double> safety;                 ///< least factor of strength at rest; 1 where none is given
+  std::optional<double> sliding;                 ///< S (m)
+  std::optional<double> base_pressure;           ///< of p_e by formulas, under heel and toe (Pa)
+  std::optional<double> dynamic_base_pressure;   ///< of heel and toe in motion (Pa)
+  std::optional<double> overturning;             ///< least margin against it
+  std::optional<double> safety;                  ///< least factor of strength at rest; 1 where none is given
+  std::optional<double> sliding_factor;          ///< least factor against sliding landward by formulas; else 1
+  std::optional<double> seaward_sliding_factor;  ///< likewise seaward; else as sliding_factor
+  std::optional<double> settlement;              ///< of the caisson, left in the end, downward (m)
+  std::optional<double> tilt;                    ///< of the caisson, left in the end (rad)
+  std::optional<double> lives_beyond;            ///< share of lives that may slide farther than `sliding`
 };
 
 enum class DisplacementCondition {

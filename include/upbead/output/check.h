@@ -9,6 +9,12 @@
 
 namespace upbead {
 
+/// What a factor of safety compares.
+struct Balance {
+  double acting = 0., resisting = 0.;
+  std::string unit;  ///< of both
+};
+
 /// One check of a section: demand against capacity.
 struct Check {
   std::string name;                ///< "sliding distance", "heel pressure p_e"
@@ -18,14 +24,15 @@ struct Check {
   /// Above 1 where the check holds: capacity over demand, or, for a quantity that must not fall below its limit, demand
   /// over capacity. None without a capacity, or where there is no demand.
   std::optional<double> margin;
-  std::optional<bool> holds;   ///< none without a capacity, or where it was not checked
-  std::string measure;         ///< the key of the summary, and what it means
-  std::string assumption;      ///< that the check relies on; "" where there is none to mention
-  std::string by{"dynamics"};  ///< the route: formulas, dynamics (of the solved scene), statics
-  std::string wave;            ///< the load or wave that demands it; "": all loads of the scene
-  std::string level;           ///< of still water, at which it is worst; "": that of the section
-  std::string why_not;         ///< it was not checked; "" where it was
-  bool at_least = false;       ///< whether the demand must not fall below the capacity
+  std::optional<bool> holds;       ///< none without a capacity, or where it was not checked
+  std::string measure;             ///< the key of the summary, and what it means
+  std::string assumption;          ///< that the check relies on; "" where there is none to mention
+  std::string by{"dynamics"};      ///< the route: formulas, dynamics (of the solved scene), statics
+  std::string wave;                ///< the load or wave that demands it; "": all loads of the scene
+  std::string level;               ///< of still water, at which it is worst; "": that of the section
+  std::string why_not;             ///< it was not checked; "" where it was
+  bool at_least = false;           ///< whether the demand must not fall below the capacity
+  std::optional<Balance> balance;  ///< of a demand that is a factor: what acts and what resists, where they are known
 };
 
 using Checks = std::vector<Check>;

@@ -114,6 +114,7 @@ struct Stability {
   double sliding_force = 0.;            ///< F_Smax = P + mu U (N/m)
   double resistance = 0.;               ///< mu W' (N/m)
   double ratio = 0.;                    ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
+  double force = 0., moment = 0.;       ///< P (N/m) and M_P (N m/m), which act
 };
 
 Stability stability(const Section& section, const WavePressure& pressure);

@@ -1,0 +1,153 @@
+// The command sheet: all that one file allows, in one table.
+#include <iostream>
+#include <optional>
+#include <set>
+
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "case/case_findings.h"
+#include "case/case_run.h"
+#include "case/input_files.h"
+#include "case/script_trust.h"
+#include "cli/command.h"
+#include "design/expected_report.h"
+#include "design/sheet.h"
+#include "design/waves_report.h"
+#include "findings/histories.h"
+#include "output/result_file.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// What the tables of a file ask for.
+struct Asked {
+  explicit Asked(const Document& file)
+      : waves(file.find("waves")), run(file.find("loads")), life(file.find("sea") || file.find("storms")) {}
+  bool waves, run, life;
+};
+
+/// The file as a case and as a design, as far as it is one.
+struct SheetInput {
+  std::string title, stem;
+  std::optional<Case> scene;
+  std::optional<Design> design;
+  Asked asked;
+};
+
+/// Calls read(), and keeps the mistakes that were not found before: both readers check the tables that they share.
+template <class Read>
+void keep_mistakes(Diagnostics& report, std::set<std::string>& seen, const Read& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    for (const Diagnostic& one : error.diagnostics())
+      if (seen.insert(to_string(one)).second) report.add(one);
+  }
+}
+
+SheetInput read_input(const CaseOptions& options) {
+  const Document file(options.file, options.overrides);
+  SheetInput input{{}, {}, {}, {}, Asked(file)};
+  if (!input.asked.waves && !input.asked.run && !input.asked.life)
+    throw InputError(
+        file.place(""), "the file asks for nothing that a sheet could hold",
+        "add [waves.NAME] and [section] for formulas, [loads.NAME], [mesh] and [regions] for a run, [sea] or "
+        "[storms] for a life");
+  Diagnostics report;
+  std::set<std::string> seen;
+  if (input.asked.run) keep_mistakes(report, seen, [&] { input.scene = read_case(options.file, options.overrides); });
+  if (input.asked.waves || input.asked.life)
+    keep_mistakes(report, seen, [&] {
+      input.design =
+          read_design(options.file, options.overrides,
+                      input.asked.life ? std::vector<DesignCheck>{check_expected} : std::vector<DesignCheck>{});
+    });
+  report.throw_if_any(options.file);
+  input.title = input.scene ? input.scene->scene.title : input.design->tables.title;
+  input.stem = input.scene ? input.scene->stem : input.design->stem;
+  return input;
+}
+
+/// A part of the sheet, with the whole summary of its command.
+struct Done {
+  SheetPart part;
+  Json summary;
+};
+
+Done no_part(const std::string& name, const std::string& why) {
+  return {{name, {}, {}, why}, Json()};
+}
+
+Done waves_part(const SheetInput& input) {
+  if (!input.asked.waves) return no_part("waves", "no [waves.NAME]: no wave is checked by formulas at all levels");
+  const std::vector<WaveAnswer> answers = answer_waves(input.design->tables);
+  return {{"waves", checks_of(input.design->tables, answers), warnings_of(*input.design, answers), ""},
+          Json::parse(to_json(*input.design, answers))};
+}
+
+Done expected_part(const SheetInput& input) {
+  if (!input.asked.life)
+    return no_part("expected", "no [sea] or [storms]: nothing is known of the sliding distance of a life");
+  const ExpectedAnswer answer = find_expected(*input.design);
+  return {{"expected", checks_of(*input.design, answer), warnings_of(*input.design, answer), ""},
+          Json::parse(to_json(*input.design, answer, {}))};
+}
+
+Done run_part(const SheetInput& input, OutputFolder& folder) {
+  if (!input.asked.run) return no_part("run", "no [loads.NAME]: nothing is known of F_T, its dynamics and the ground");
+  Case problem = *input.scene;
+  std::shared_ptr<const Mesh> mesh = settle_end(problem);
+  const Simulation simulation = simulation_of(problem, std::move(mesh));
+  const std::vector<MeasuredRecord> records = read_records(problem, simulation);
+  Progress line("solving");
+  RunOptions options;
+  options.progress = [&line](double done) {
+    check_interrupt();
+    line.update(done);
+  };
+  const Run run = solve(problem, simulation, records, options);
+  folder.write("results.h5", dataset_file(problem.scene.title, tables(run)));
+  return {{"run", run.summary.checks, run.summary.warnings, ""}, summary_outputs().to_json(run.summary)};
+}
+
+int work(const CaseOptions& options) {
+  const SheetInput input = read_input(options);
+  if (input.scene) {
+    require_trust(*input.scene, options.trusted);
+    std::cerr << notes_on(*input.scene);
+  }
+  note_interrupts();
+  const std::string out = options.out.empty() ? "results/" + input.stem + "-sheet" : options.out;
+  std::vector<InputFile> files = input.scene ? input_files(*input.scene) : std::vector<InputFile>();
+  if (input.design) append(files, input_files(*input.design));
+  require_inputs_kept(out, {"summary.json", "sheet.md", "results.h5"}, files);
+  OutputFolder folder(out);
+  const std::vector<Done> parts{waves_part(input), run_part(input, folder), expected_part(input)};
+  const Sheet sheet = sheet_of(input.title, {parts[0].part, parts[1].part, parts[2].part});
+  Json json = to_json(sheet);
+  for (const Done& done : parts) json[done.part.name] = done.summary;
+  const std::string text = json_text(json);
+  folder.write("summary.json", text);
+  folder.write("sheet.md", markdown(sheet));
+  check_interrupt();
+  folder.commit({"results.h5"});
+  for (const Done& done : parts) std::cerr << describe(done.part.warnings);
+  std::cout << (options.json ? text
+                             : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md" +
+                                   (input.asked.run ? ", results.h5}\n" : "}\n"));
+  return 0;
+}
+
+}  // namespace
+
+Command sheet_command() {
+  const auto options = std::make_shared<CaseOptions>();
+  Command command = case_command("sheet", *options);
+  command.work = [options] { return work(*options); };
+  return command;
+}
+
+}  // namespace upbead

@@ -1,0 +1,61 @@
+// The sheet of a section: the checks of all its waves by formulas, of its run and of its life, in one table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/checks.h"
+
+namespace upbead {
+
+struct OutputRow;
+
+/// What one command says of the section.
+struct SheetPart {
+  std::string name;  ///< "waves", "run", "expected"
+  Checks checks;
+  NumberedWarnings warnings;
+  std::string why_not;  ///< the file does not ask for it; "" where it was done
+};
+
+/// A check in its place on the sheet.
+struct SheetRow {
+  std::string mode;  ///< the way to fail: "sliding landward", "heel pressure"
+  std::string part;  ///< name of the part that made the check
+  Check check;
+  bool governs = false;  ///< the worst of its mode
+};
+
+/// Two measures of one way to fail, one of which holds. Both stand, and the worse governs.
+struct Disagreement {
+  std::string mode, fails, holds;  ///< the two checks in words
+};
+
+struct Sheet {
+  std::string title;
+  std::vector<SheetPart> parts;
+  std::vector<SheetRow> rows;  ///< by mode, the governing one first
+  std::vector<Disagreement> disagreements;
+  Verdict verdict;                       ///< of all checks and warnings
+  std::vector<std::string> not_covered;  ///< ways to fail that no part looks at
+};
+
+/// No check is left out: one whose way to fail is not known stands as a mode of its own.
+Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts);
+
+/// Demand and capacity of a check as they are compared, with the factor and that which is required.
+struct Compared {
+  std::string demand, capacity, factor, required, outcome;
+};
+Compared compared(const Check& check);
+
+/// The table in at most 100 columns, the disagreements, what is not covered, the verdict.
+std::string text_of(const Sheet& sheet);
+/// The same as Markdown.
+std::string markdown(const Sheet& sheet);
+/// sheet.json without the summaries of the parts. Throws NumericsError where a number is not finite.
+Json to_json(const Sheet& sheet);
+/// The keys of that JSON.
+std::vector<OutputRow> rows_of_sheet();
+
+}  // namespace upbead

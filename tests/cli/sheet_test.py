@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Claims: one file serves run, waves, expected and sheet; a sheet has every check of each of them once, its verdict is that of all of
+them, the worst of each way to fail governs it, and measures that disagree both stand; mistakes of all tables are told at once, and
+nothing is written.
+
+usage: sheet_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import shutil
+
+from program import CASES, ProgramTest, main, upbead
+
+BONDED = ["--set", 'regions.caisson.interface.kind="bonded"']
+
+
+class Sheet(ProgramTest):
+    def summary(self, command, *options):
+        done = upbead(command, CASES / "designer/section.toml", *options, "--out", command, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.folder / command / "summary.json").read_text()), done
+
+    def test_the_sheet_is_what_its_three_commands_say(self):
+        sheet, done = self.summary("sheet", *BONDED)
+        texts = sorted(row["text"] for row in sheet["rows"])
+        parts = {command: self.summary(command, *(BONDED if command == "run" else []))[0]
+                 for command in ("run", "waves", "expected")}
+        self.assertEqual(texts, sorted(check["text"] for part in parts.values() for check in part["checks"]))
+        self.assertEqual(sheet["verdict"]["failing"], sum(part["verdict"]["failing"] for part in parts.values()))
+        self.assertEqual(sheet["verdict"]["checked"], sum(part["verdict"]["checked"] for part in parts.values()))
+        for row in sheet["rows"]:  # no check stands apart as a way to fail of its own
+            self.assertNotIn(row["mode"], texts)
+        for command, part in parts.items():
+            self.assertEqual(sheet[command]["checks"], part["checks"], command)
+        self.check_governing(sheet["rows"])
+        self.check_disagreements(sheet)
+        self.check_screen(sheet, done.stdout)
+        self.assertTrue((self.folder / "sheet/results.h5").exists())
+
+    def check_governing(self, rows):
+        for mode in {row["mode"] for row in rows}:
+            judged = [row for row in rows if row["mode"] == mode and row["holds"] is not None]
+            governing = [row for row in judged if row["governs"]]
+            self.assertEqual(len(governing), 1 if judged else 0, mode)
+            if judged and all(row["margin"] is not None for row in judged):
+                self.assertEqual(governing[0]["margin"], min(row["margin"] for row in judged), mode)
+
+    def check_disagreements(self, sheet):
+        modes = {row["mode"] for row in sheet["rows"] if row["holds"] is True}
+        both = {row["mode"] for row in sheet["rows"] if row["holds"] is False} & modes
+        self.assertEqual({one["mode"] for one in sheet["disagreements"]}, both)
+        self.assertTrue(both, "this section has measures that disagree")
+
+    def check_screen(self, sheet, text):
+        self.assertIn("verdict     " + sheet["verdict"]["text"], text)
+        self.assertIn("not covered by this program", text)
+        table = text.split("measures that disagree")[0].splitlines()
+        self.assertLessEqual(max(len(line) for line in table if "not checked" not in line), 100)
+        for row in sheet["rows"]:
+            self.assertTrue(any(row["name"] in line for line in table), row["name"])
+
+    def test_older_files_are_understood(self):
+        done = upbead("sheet", CASES / "designer/design.toml", "--out", "old", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sheet = json.loads((self.folder / "old/summary.json").read_text())
+        self.assertIsNone(sheet["run"])
+        self.assertEqual({row["part"] for row in sheet["rows"]}, {"waves", "expected"})
+        self.assertIn("run: no [loads.NAME]", done.stdout)
+        self.assertFalse((self.folder / "old/results.h5").exists())
+
+    def test_one_file_gives_the_numbers_of_two(self):
+        one = self.summary("waves")[0]["waves"]["design"]
+        done = upbead("waves", CASES / "designer/design.toml", "--out", "two", cwd=self.folder)
+        self.assertEqual(done.returncode, 0)
+        two = json.loads((self.folder / "two/summary.json").read_text())["waves"]["design"]
+        self.assertEqual({key: one[key] for key in two if key != "warnings"},
+                         {key: two[key] for key in two if key != "warnings"})
+
+    def test_mistakes_of_all_tables_are_told_at_once(self):
+        shutil.copytree(CASES / "designer", self.folder / "own")
+        case = self.folder / "own/section.toml"
+        case.write_text(case.read_text().replace("period = 14.0", "period = -14.0").replace("degree = 2", "degrees = 2")
+                        .replace("overturning = 1.2", "overturning = -1.2") + "\n[regoins]\n")
+        done = upbead("sheet", case, "--out", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        for word in ("waves.storm.period", "degrees", "overturning", "regoins"):
+            self.assertIn(word, done.stderr)
+        self.assertEqual(done.stderr.count("limits.overturning"), 1)
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    main()
