@@ -11,6 +11,7 @@
 #include "case/input_files.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
+#include "cli/reduced_case.h"
 #include "design/expected_report.h"
 #include "design/sheet.h"
 #include "design/waves_report.h"
@@ -88,12 +89,40 @@ Done waves_part(const SheetInput& input) {
           Json::parse(to_json(*input.design, answers))};
 }
 
-Done expected_part(const SheetInput& input) {
+/// The design with the reduced model of the same file's scene, by which every wave of a life has its own dynamics; or
+/// why it has none.
+struct DesignWithModel {
+  Design design;
+  std::string why_none;
+};
+
+DesignWithModel with_model(const SheetInput& input, OutputFolder& folder) {
+  DesignWithModel out{*input.design, ""};
+  if (out.design.tables.dynamics) return out;
+  if (!input.asked.run) return {out.design, "no [mesh] and [loads.NAME]: waves have no dynamics of their own"};
+  Case problem = *input.scene;
+  try {
+    folder.write("reduced.h5", model_file(reduced_case(problem, {}, folder.name()).file));
+    out.design.tables.dynamics.emplace().model = folder.path("reduced.h5");
+    Diagnostics mistakes;
+    check_expected(out.design.tables, out.design.document, mistakes);
+    mistakes.throw_if_any();
+    return out;
+  } catch (const InputError& error) {
+    return {*input.design, error.what()};
+  }
+}
+
+Done expected_part(const SheetInput& input, OutputFolder& folder) {
   if (!input.asked.life)
     return no_part("expected", "no [sea] or [storms]: nothing is known of the sliding distance of a life");
-  const ExpectedAnswer answer = find_expected(*input.design);
-  return {{"expected", checks_of(*input.design, answer), warnings_of(*input.design, answer), ""},
-          Json::parse(to_json(*input.design, answer, {}))};
+  const DesignWithModel with = with_model(input, folder);
+  const ExpectedAnswer answer = find_expected(with.design);
+  NumberedWarnings warnings = warnings_of(with.design, answer);
+  if (!with.why_none.empty())
+    warnings.push_back({"no_own_dynamics", 0., 0., "", "the life is by formulas alone: " + with.why_none,
+                        "read S and pressures of the life as those of formulas"});
+  return {{"expected", checks_of(with.design, answer), warnings, ""}, Json::parse(to_json(with.design, answer, {}))};
 }
 
 Done run_part(const SheetInput& input, OutputFolder& folder) {
@@ -123,9 +152,9 @@ int work(const CaseOptions& options) {
   const std::string out = options.out.empty() ? "results/" + input.stem + "-sheet" : options.out;
   std::vector<InputFile> files = input.scene ? input_files(*input.scene) : std::vector<InputFile>();
   if (input.design) append(files, input_files(*input.design));
-  require_inputs_kept(out, {"summary.json", "sheet.md", "results.h5"}, files);
+  require_inputs_kept(out, {"summary.json", "sheet.md", "results.h5", "reduced.h5"}, files);
   OutputFolder folder(out);
-  const std::vector<Done> parts{waves_part(input), run_part(input, folder), expected_part(input)};
+  const std::vector<Done> parts{waves_part(input), run_part(input, folder), expected_part(input, folder)};
   const Sheet sheet = sheet_of(input.title, {parts[0].part, parts[1].part, parts[2].part});
   Json json = to_json(sheet);
   for (const Done& done : parts) json[done.part.name] = done.summary;
@@ -133,7 +162,7 @@ int work(const CaseOptions& options) {
   folder.write("summary.json", text);
   folder.write("sheet.md", markdown(sheet));
   check_interrupt();
-  folder.commit({"results.h5"});
+  folder.commit({"results.h5", "reduced.h5"});
   for (const Done& done : parts) std::cerr << describe(done.part.warnings);
   std::cout << (options.json ? text
                              : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md" +

@@ -1,0 +1,173 @@
+#include "cli/reduced_case.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/stopwatch.h"
+#include "case/case_run.h"
+#include "fem/caisson/readings.h"
+#include "fem/compile.h"
+#include "findings/effective_base.h"
+#include "model/exclusions.h"
+#include "model/words.h"
+#include "response/shear_response.h"
+#include "run/sliding/uplift.h"
+#include "run/solve.h"
+#include "system/interface.h"
+#include "upbead/base/error.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+namespace {
+
+/// The loads of a scene under the names that they have in the reduced model.
+std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) {
+  std::vector<ModelLoad> list;
+  for (const std::string& name : model.load_name) {
+    const Load& load = scene.loads.at(name);
+    Scene alone;
+    alone.time = scene.time;
+    alone.loads[name] = load;
+    const double up = extremum(load.history, 0., scene.time.end, 1).value;
+    const double down = extremum(load.history, 0., scene.time.end, -1).value;
+    const double duration = shortest_duration(alone);
+    list.push_back(
+        {name, unit_of(load.kind), std::max(up, -down), std::isfinite(duration) ? duration : scene.time.end});
+  }
+  return list;
+}
+
+ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
+  ModelSliding sliding{choice.friction, choice.submerged_weight, choice.drag};
+  if (!choice.uplift) return sliding;
+  const UpliftChoice& uplift = *choice.uplift;
+  sliding.uplift = uplift.kind == UpliftKind::computed ? "computed"
+                   : uplift.peak                       ? word_of(uplift.course, uplift_course_words)
+                                                       : "history";
+  if (uplift.peak && peak_force > 0.) sliding.uplift_per_force = *uplift.peak / peak_force;
+  sliding.lag = uplift.lag;
+  return sliding;
+}
+
+/// The bottom of the caisson; none where W' is not known.
+std::optional<ModelBase> model_base(const Simulation& simulation) {
+  const System& system = simulation.compiled()->system;
+  const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
+  const std::optional<EffectiveBase> base = effective_base(simulation, none);
+  if (!base) return std::nullopt;
+  ModelBase told{base->width, base->weight, base->weight_moment, 0.};
+  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, {}, {});  // one where it has a peak, for `respond`
+  if (uplift.size() == 1 && uplift.front().force > 0.)
+    told.uplift_moment_per_force = uplift.front().moment / uplift.front().force;
+  return told;
+}
+
+ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduction reduction,
+                          const std::string& folder) {
+  ReducedModelFile file;
+  file.title = input.scene.title;
+  file.case_text = effective_case(input, folder);
+  file.modes = std::move(reduction.model);
+  join_pore_pressures(file.modes);
+  file.loads = model_loads(input.scene, file.modes);
+  file.caisson_mass = simulation.compiled()->caisson ? simulation.compiled()->caisson->body.mass : 0.;
+  file.end = input.scene.time.end;
+  if (const auto& sliding = input.scene.sliding)
+    file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled()), 0., file.end, 1).value);
+  file.base = model_base(simulation);
+  file.highest_frequency = summary_of(reduction).highest_frequency;
+  file.tolerance = input.scene.tolerance;
+  file.error = reduction.error.history;
+  file.error_peak = reduction.error.peak;
+  file.unknowns = simulation.compiled()->system.n_free();
+  file.solves = reduction.n_solves;
+  file.factorisations = 1;
+  return file;
+}
+
+/// Shows the progress, and ends the work where the user interrupts.
+std::function<void(double)> watched(Progress& progress) {
+  return [&progress](double done) {
+    check_interrupt();
+    progress.update(done);
+  };
+}
+
+/// No models where the scene allows no larger ones; the model itself is as good without them.
+Nested nest(const Simulation& simulation, const Reduction& reduction) {
+  Progress progress("reducing further");
+  const Stopwatch watch;
+  const System& system = simulation.compiled()->system;
+  const NestedSpace space{krylov_shift(simulation.scene()), reduction.n_vectors,
+                          simulation.compiled()->body_coordinates};
+  Nested nested;
+  try {
+    nested.models = nested_models(system, space, {system.reading(reading::shear_force)}, watched(progress));
+    for (ModalModel* model : {&nested.models->middle, &nested.models->reference}) join_pore_pressures(*model);
+  } catch (const NumericsError& error) {
+    nested.models.reset();
+    nested.why_not = error.what();
+  }
+  nested.seconds = watch.seconds();
+  return nested;
+}
+
+/// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
+Simulation simulation_for_waves(Case& input) {
+  const Simulation simulation = simulation_of(input, settle_end(input));
+  if (!simulation.compiled()->caisson)
+    throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
+                     "use 'upbead run'");
+  for (const Exclusion& reason : excluded(input.scene, Treatment::reduce_command))
+    throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
+  Progress progress("soil and strain");
+  return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, watched(progress))); });
+}
+
+/// What the model of a case leaves out, in the words of a run.
+std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& slip, const Nested& nested) {
+  std::vector<Skipped> list;
+  if (!nested.why_not.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested.why_not});
+  if (!slip.why_not.empty()) list.push_back({"slip of the caisson with its ground", slip.why_not});
+  if (simulation.with_interface())
+    list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
+  return list;
+}
+
+Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
+  Progress progress("reducing");
+  Reduction reduction =
+      reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
+  require_converged(reduction);
+  return reduction;
+}
+
+}  // namespace
+
+Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder) {
+  const Simulation simulation = simulation_for_waves(input);
+  const Stopwatch watch;
+  Reduced made;
+  made.reduction = reduce_glued(simulation, options.all_readings);
+  made.timing = simulation.timing();
+  made.timing.factorise = made.reduction.factorise_seconds;
+  made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
+  made.nested = nest(simulation, made.reduction);
+  {
+    Progress progress("reducing with slip");
+    made.slip = reduce_with_slip(simulation, made.reduction, watched(progress));
+  }
+  made.skipped = skipped(simulation, made.slip, made.nested);
+  check_interrupt();
+  made.file = model_of(input, simulation, made.reduction, folder);
+  made.file.slip = made.slip.model;
+  made.file.nested = made.nested.models;
+  if (options.against_march)
+    made.file.error_march = error_against_march(made.reduction, simulation.scene(), *simulation.compiled());
+  return made;
+}
+
+}  // namespace upbead

@@ -1,0 +1,43 @@
+// A case as a reduced model for waves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "respond/respond_slip.h"
+#include "response/reduction.h"
+#include "run/sliding/coupled_sliding.h"
+#include "upbead/case/case.h"
+#include "upbead/output/model_file.h"
+
+namespace upbead {
+
+/// Larger models of the same loads, which estimate the error for any wave.
+struct Nested {
+  std::optional<NestedModels> models;
+  std::string why_not;
+  double seconds = 0.;
+};
+
+/// All results of `reduce` for a case.
+struct Reduced {
+  ReducedModelFile file;
+  Reduction reduction;
+  ReducedSlip slip;
+  std::vector<Skipped> skipped;
+  Nested nested;
+  std::string path;
+  Timing timing;
+};
+
+struct CaseModelOptions {
+  bool all_readings = false;   ///< vectors are added until all readings are good, not F_T alone
+  bool against_march = false;  ///< finds the error against a march, too
+};
+
+/// Makes the model of the case, bonded, with progress on the terminal. `folder`: from where the model's own copy of the
+/// case sees its files. Throws InputError at the keys of a case that no reduced model can hold.
+Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder);
+
+}  // namespace upbead
