@@ -153,6 +153,7 @@ class LoadCompiler {
       : scene_(scene), space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), ground_(ground) {}
 
   void add(const std::string& name, const Load& load) {
+    name_ = name;
     if (is_motion(load.kind)) {
       add_motion(name, load);
       return;
@@ -178,6 +179,7 @@ class LoadCompiler {
 
  private:
   void append(SystemLoad load) {
+    out.of.push_back(name_);
     out.on_caisson.push_back({load.name});
     out.on_ground.push_back({});
     out.loads.push_back(std::move(load));
@@ -251,6 +253,7 @@ class LoadCompiler {
   const std::vector<Body>& bodies_;
   const std::optional<Caisson>& caisson_;
   const NodalReaction* ground_;
+  std::string name_;                            ///< of the load that is added
   std::vector<const Load*> arriving_, damped_;  ///< motions of frames that dashpots hang on
 };
 
