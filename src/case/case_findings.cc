@@ -228,6 +228,11 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .object("standing", inner(&W::standing, &StandingResult::answer), standing_outputs(),
               "the standing wave of finite height before the wall; null where there is none")
       .key("why_no_standing", inner(&W::standing, &StandingResult::why_not), "", "why; empty where there is one")
+      .object("trough_bound", inner(&W::standing, &StandingResult::bound), trough_bound_outputs(),
+              "a bound of the trough, after Sainflou (1928), where there is none; null where there is one")
+      .object("impact", &W::impact, impact_outputs(),
+              "by PROVERBS, without the load's factor; null unless `force = \"proverbs\"`")
+      .key("direction", &W::direction, "degrees", "from which it comes, from north; null where `angle` is given")
       .key("assumptions[]", &W::assumptions, "", "what the load rests on, in words");
 }
 

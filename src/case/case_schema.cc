@@ -96,6 +96,13 @@ TableSchema<InitialState> initial_schema() {
       .unit("m")
       .fallback("the top of the regions of water")
       .doc("height y of still water");
+  table.key("harbour_level", &InitialState::harbour_level)
+      .unit("m")
+      .fallback("one level")
+      .doc(
+          "height y of still water behind the caisson, where water_level is that of the sea: their push, and the "
+          "pressure "
+          "under the base that falls from one to the other, then are in the stresses at rest, W', the margins and S");
   table.key("k0", &InitialState::k0)
       .range(between(0., 5.))
       .fallback("from the elastic solution")

@@ -2,12 +2,15 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include "base/text.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 
 const std::vector<std::pair<std::string, ImpactForce>> impact_force_words{
-    {"impulse", ImpactForce::impulse}, {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I}};
+    {"impulse", ImpactForce::impulse},
+    {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I},
+    {"proverbs", ImpactForce::proverbs}};
 
 namespace {
 
@@ -42,6 +45,15 @@ void declare_depths(TableSchema<Section>& table) {
       .range(from_to(0., 1.))
       .required()
       .doc("slope tan(theta) of the seabed in front");
+  table.key("harbour_level", &Section::harbour_level)
+      .unit("m")
+      .range(from_to(-1e4, 1e4))
+      .doc("height of still water behind the caisson above that of the sea; negative where it is lower");
+  table.key("facing", &Section::facing)
+      .unit("deg")
+      .range(from_to(0., 360.))
+      .fallback("none: waves have an angle, and no direction")
+      .doc("where the wall looks at, seaward: the direction of its normal, clockwise from north");
 }
 
 void declare_weights(TableSchema<Section>& table) {
@@ -91,7 +103,73 @@ Diagnostic no_height() {
           "add height, that of the highest wave (m), or deep_water_height"};
 }
 
+void declare_peaks(TableSchema<ImpactScatter>& table) {
+  table.key("quantile", &ImpactScatter::quantile)
+      .range(between(0., 1.))
+      .doc("share of the impacts whose peak is lower; 0.5 for the middle one; an assumption");
+  table.key("location", &ImpactScatter::location)
+      .range(from_to(0., 100.))
+      .doc(
+          "of F* = location + scale/shape (1 - (-ln quantile)^shape), F* = P_I/(rho g H_b^2); on a bed of 1:50, an "
+          "assumption: steeper beds have more");
+  table.key("scale", &ImpactScatter::scale).range(from_to(0., 100.)).doc("of F*; an assumption");
+  table.key("shape", &ImpactScatter::shape).range(from_to(-2., -1e-3)).doc("of F*; an assumption");
+  table.key("breaker", &ImpactScatter::breaker)
+      .unit("m")
+      .range(formula_length())
+      .fallback("by the mound: (0.1025 + 0.0217 (1 - C_r)/(1 + C_r)) L tanh(2 pi k_b h/L), an assumption")
+      .doc("H_b, height from which waves break on the wall");
+}
+
 }  // namespace
+
+TableSchema<ImpactScatter> impact_scatter_schema() {
+  TableSchema<ImpactScatter> table;
+  declare_peaks(table);
+  table.key("reflection", &ImpactScatter::reflection)
+      .range(from_to(0., 1.))
+      .doc("C_r of the wall, for H_b; an assumption");
+  table.key("mound_slope", &ImpactScatter::mound_slope)
+      .range(from_to(0., 100.))
+      .doc("cotangent of the mound's seaward slope, for H_b; an assumption");
+  table.key("rise_quantile", &ImpactScatter::rise_quantile)
+      .range(between(0., 1.))
+      .fallback("the mean rise, by rise_coefficient")
+      .doc("share of the impacts that rise faster, at the same peak: a longer one has more impulse");
+  table.key("rise_scatter", &ImpactScatter::rise_scatter)
+      .range(from_to(0., 10.))
+      .doc("standard deviation of the rise over its mean, lognormal; an assumption");
+  return table;
+}
+
+Diagnostics diagnose(const ImpactAssumptions& impact, ImpactForce force) {
+  Diagnostics list;
+  if (force != ImpactForce::proverbs && impact.proverbs)
+    list.add(at_key("proverbs"), "'proverbs' is given, but the peak is not by it", "write force = \"proverbs\"");
+  if (force == ImpactForce::proverbs && impact.peak_gain)
+    list.add(at_key("peak_gain"), "'peak_gain' is given, but the peak is by force = \"proverbs\"",
+             "remove peak_gain, or write force = \"impulse\"");
+  return list;
+}
+
+ImpactAssumptions with_force(ImpactAssumptions impact, ImpactForce force) {
+  if (force == ImpactForce::goda_with_alpha_I) impact.peak_gain.reset();
+  if (force == ImpactForce::proverbs && !impact.proverbs) impact.proverbs.emplace();
+  return impact;
+}
+
+double turned_angle(const WaveGiven& wave, const Section& section) {
+  return wave.direction && section.facing ? turned_angle(*wave.direction, *section.facing).turned : wave.angle;
+}
+
+std::string describe_direction(const WaveGiven& wave, const Section& section) {
+  if (!wave.direction || !section.facing) return "";
+  const TurnedAngle angle = turned_angle(*wave.direction, *section.facing);
+  return "it comes from " + significant(*wave.direction, 4) + " degrees, the wall looks at " +
+         significant(*section.facing, 4) + ": " + significant(angle.to_normal, 4) +
+         " degrees to the normal, turned by " + significant(angle.to_normal - angle.turned, 4) +
+         " towards it (Goda 2000): beta = " + significant(angle.turned, 4) + " degrees";
+}
 
 TableSchema<Limits> limits_schema() {
   TableSchema<Limits> table;
@@ -132,8 +210,28 @@ TableSchema<Section> section_schema() {
   return table;
 }
 
-Diagnostics diagnose(const WaveGiven& wave) {
+namespace {
+
+void diagnose_direction(const WaveGiven& wave, const Section* section, Diagnostics& list) {
+  if (!wave.direction) return;
+  if (wave.angle != 0.) list.add(at_key("direction"), "both 'angle' and 'direction' are given", "keep one of them");
+  if (section == nullptr) return;
+  if (!section->facing)
+    list.add(at_key("direction"), "'direction' is given, but not where the wall looks at",
+             "add facing to [section], the direction of the wall's seaward normal, in degrees from north");
+  else if (turned_angle(*wave.direction, *section->facing).turned >= 90.)
+    list.add(at_key("direction"),
+             "the wave comes from " + significant(*wave.direction, 4) + " degrees, " +
+                 significant(turned_angle(*wave.direction, *section->facing).to_normal, 4) +
+                 " degrees to the wall's normal: it does not meet the wall",
+             "give where the wave comes from, and where the wall looks at (degrees from north)");
+}
+
+}  // namespace
+
+Diagnostics diagnose(const WaveGiven& wave, const Section* section) {
   Diagnostics list;
+  diagnose_direction(wave, section, list);
   if (!wave.height && !wave.deep_water_height) list.add(no_height());
   if (wave.height && wave.deep_water_height)
     list.add(at_key("deep_water_height"), "both 'height' and 'deep_water_height' are given", "keep one of them");
@@ -146,7 +244,7 @@ Diagnostics diagnose(const WaveGiven& wave) {
 DesignWave design_wave(const WaveGiven& wave, const Section& section, const Water& water) {
   DesignWave w;
   w.period = wave.period;
-  w.angle = wave.angle * boost::math::constants::degree<double>();
+  w.angle = turned_angle(wave, section) * boost::math::constants::degree<double>();
   if (wave.deep_water_height) {
     const DesignHeights heights =
         design_heights({*wave.deep_water_height, wave.period, section.water_depth, section.bed_slope}, water.gravity);

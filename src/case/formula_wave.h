@@ -22,10 +22,17 @@ struct WaveGiven {
   std::optional<double> deep_water_height;   ///< H_0' (m)
   double period = 0.;                        ///< T (s)
   double angle = 0.;                         ///< degrees, already turned towards the wall's normal
+  std::optional<double> direction;           ///< from which it comes, degrees from north; or angle
 };
 
+/// beta (degrees) between the wave and the wall's normal, already turned towards it.
+double turned_angle(const WaveGiven& wave, const Section& section);
+
+/// How the direction became beta, in words; "" where the angle is given.
+std::string describe_direction(const WaveGiven& wave, const Section& section);
+
 /// Which force the caisson's dynamics are computed for.
-enum class ImpactForce { impulse, goda_with_alpha_I };
+enum class ImpactForce { impulse, goda_with_alpha_I, proverbs };
 extern const std::vector<std::pair<std::string, ImpactForce>> impact_force_words;
 
 /// Lengths with which no formula overflows (m).
@@ -60,7 +67,21 @@ void declare_wave(TableSchema<T>& table) {
       .unit("deg")
       .range(from_to_below(0., 90.))
       .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
+  table.key("direction", &T::direction)
+      .unit("deg")
+      .range(from_to(0., 360.))
+      .fallback("by angle")
+      .doc(
+          "in place of angle: where the wave comes from, clockwise from north, as on a chart; beta is its angle to "
+          "section.facing, turned by up to 15 deg towards it (Goda 2000)");
 }
+
+/// [impact.proverbs], and what of it contradicts `force`.
+TableSchema<ImpactScatter> impact_scatter_schema();
+Diagnostics diagnose(const ImpactAssumptions& impact, ImpactForce force);
+
+/// The assumptions with the peak of that force.
+ImpactAssumptions with_force(ImpactAssumptions impact, ImpactForce force);
 
 /// Declares the keys of ImpactAssumptions.
 template <class T>
@@ -80,10 +101,14 @@ void declare_impact(TableSchema<T>& table) {
       .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
   table.key("duration_gain", &T::duration_gain).range(from_to(0., 1000.)).doc("b of the duration; an assumption");
   table.key("duration_decay", &T::duration_decay).range(from_to(0., 1000.)).doc("c of the duration; an assumption");
+  table.table("proverbs", &T::proverbs, impact_scatter_schema())
+      .doc(
+          "Of force = \"proverbs\": a wave of at least H_b breaks on the wall with P_I = F* rho g H_b^2, a quantile of "
+          "generalised extreme values, after Oumeraci et al. (2001), whose numbers are assumptions here.");
 }
 
-/// What is missing, or contradicts another key.
-Diagnostics diagnose(const WaveGiven& wave);
+/// What is missing, or contradicts another key; without a section nothing of the direction.
+Diagnostics diagnose(const WaveGiven& wave, const Section* section);
 
 /// The design wave of a table without mistakes; where only the height in deep water is given, heights by random
 /// breaking.

@@ -1,4 +1,8 @@
 // Loads by an idealised history: [loads.NAME.pulse].
+#include <algorithm>
+#include <string>
+
+#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/load_source.h"
@@ -9,13 +13,15 @@ namespace upbead {
 
 namespace {
 
+constexpr int most_pulses = 1000;
+
 bool has_rise(const Pulse& pulse) {
   return pulse.shape == PulseShape::triangle || pulse.shape == PulseShape::church_roof ||
          pulse.shape == PulseShape::step;
 }
 
-TableSchema<Pulse> pulse_schema() {
-  TableSchema<Pulse> table;
+TableSchema<PulseTable> pulse_schema() {
+  TableSchema<PulseTable> table;
   table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
   table.key("peak", &Pulse::peak)
       .unit("N/m or Pa")
@@ -40,14 +46,50 @@ TableSchema<Pulse> pulse_schema() {
       .range(above(0.))
       .doc("time from start until the slow part has gone; of a church_roof");
   table.key("frequency", &Pulse::frequency).unit("Hz").range(above(0.)).doc("frequency; of a harmonic");
+  table.key("number", &PulseTable::number)
+      .range(from_to(1, most_pulses))
+      .doc("of equal pulses in a row: ground and slip remember those before");
+  table.key("period", &PulseTable::period)
+      .unit("s")
+      .range(above(0.))
+      .fallback("none: there is one pulse")
+      .doc("from one pulse to the next; at least as long as a pulse");
   return table;
+}
+
+/// How long a pulse acts (s).
+double length_of(const Pulse& pulse) {
+  const double slow = pulse.shape == PulseShape::church_roof ? pulse.plateau_duration.value_or(0.) : 0.;
+  return std::max(pulse.duration.value_or(0.), slow);
+}
+
+void check_row(const LoadCheck& check) {
+  if (!check.load.pulse || (check.load.pulse->number == 1 && !check.load.pulse->period)) return;
+  const PulseTable& pulse = *check.load.pulse;
+  const auto wrong = [&](const char* key, const std::string& what, const std::string& cure) {
+    check.wrong.add(std::string("pulse.") + key, what, cure);
+  };
+  if (pulse.shape == PulseShape::harmonic || pulse.shape == PulseShape::step)
+    wrong("number", "a pulse of that shape does not end, so that none can follow",
+          "write a shape that ends: triangle, half_sine or church_roof");
+  else if (is_motion(check.load.kind))
+    wrong("number", "a motion may leave the boundary elsewhere, from where no equal one follows",
+          "give its history as a file");
+  else if (!pulse.period)
+    wrong("period", "'period' is missing, which number > 1 needs", "add period, from one pulse to the next (s)");
+  else if (*pulse.period < length_of(pulse))
+    wrong("period",
+          "period = " + number_text(*pulse.period) + " s is shorter than a pulse, " + number_text(length_of(pulse)) +
+              " s",
+          "give at least that");
 }
 
 std::shared_ptr<LoadSource> read_pulse(const GivenLoad& given) {
   const auto source = begun(given);
-  const Pulse& pulse = *given.table.pulse;
+  const PulseTable& pulse = *given.table.pulse;
   Load load = given.table;
   load.history = is_motion(load.kind) ? velocity(load.kind, pulse) : time_function(pulse);
+  if (pulse.number > 1) load.history = repeated(load.history, pulse.number, *pulse.period);
   load.duration = is_motion(load.kind) ? motion_duration(load.kind, pulse) : duration(pulse);
   const Load& made = source->made[given.name] = with_factor(load);
   const bool harmonic = pulse.shape == PulseShape::harmonic;
@@ -64,7 +106,11 @@ LoadWay by_pulse() {
           [](TableSchema<LoadTable>& table) {
             table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
           },
-          [](const LoadCheck& check) { check.exactly_one("pulse", "history"); }, read_pulse};
+          [](const LoadCheck& check) {
+            check.exactly_one("pulse", "history");
+            check_row(check);
+          },
+          read_pulse};
 }
 
 }  // namespace upbead

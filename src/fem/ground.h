@@ -32,6 +32,8 @@ class Ground {
 
  private:
   double work_of(const dealii::FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const;
+  /// Adds what still water at two levels does to a rigid caisson.
+  void add_still_water(Vector& f) const;
   double density(const Cell& cell) const;
   EffectiveStress stress(const Vector& values) const;
 

@@ -79,7 +79,7 @@ SkippedList skipped_slips(const Evidence&, const Summary& summary) {
 
 /// What still water at two levels adds to a force in that direction (1: landward).
 double still_push(const Summary& summary, double side) {
-  return summary.harbour ? side * summary.harbour->push : 0.;
+  return summary.harbour && !summary.harbour->counted ? side * summary.harbour->push : 0.;
 }
 
 std::string about_push(const Summary& summary) {

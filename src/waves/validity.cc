@@ -117,7 +117,7 @@ void judge_pressure(const Situation& s, double depth_b, NumberedWarnings& list) 
                     "eta* = " + metres(p.eta_star) +
                         " does not rise above the crest, h_c = " + metres(s.section.crest) + ": p4 = 0",
                     "check crest where the wave is to overtop"});
-  const double safety = stability(s.section, p).safety_overturning;
+  const double safety = stability(s.section, p, still_water(s.section, s.water)).safety_overturning;
   if (p.uplift < s.section.submerged_weight && safety < 1.)
     list.push_back({"overturns", safety, 1., "1",
                     "the safety factor against overturning is " + significant(safety) +

@@ -14,6 +14,7 @@
 #include "upbead/response/findings.h"
 #include "upbead/sliding/base_pressure.h"
 #include "upbead/sliding/history_sliding.h"
+#include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/standing_stability.h"
 
 namespace upbead {
@@ -132,6 +133,7 @@ struct HarbourSummary {
   double front = 0., back = 0.;  ///< heights y of the levels (m)
   double push = 0.;              ///< of both waters at rest, landward (N/m)
   double weight_gained = 0.;     ///< by which W' exceeds that in water as high as the higher level (N/m)
+  bool counted = false;          ///< whether it is in all numbers, by initial.harbour_level
 };
 
 /// What presses on the base.
@@ -300,6 +302,8 @@ struct WaveLoadSummary {
   std::optional<double> peak_over_goda;  ///< peak of the load over Goda's P with alpha*, both with the factor
   std::optional<Stability> stability;    ///< by Goda's formulas, with the factor; none of a load that pulls seaward
   StandingResult standing;               ///< the wave in case it does not break, with the factor
+  std::optional<BreakingImpact> impact;  ///< by PROVERBS, without the factor; none where the peak is not by it
+  std::optional<double> direction;       ///< from which the wave comes, from north (degrees); none where beta is given
   std::optional<double> sliding;         ///< S of that P by eqs. (4) and (6), tau_0 = k(alpha*) tau_0F (m)
   std::vector<std::string> assumptions;
 };

@@ -174,6 +174,11 @@ void check_grid(const DesignTables& tables, const Document& document, Diagnostic
 
 void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report) {
   check_impact(tables, document, report);
+  refuse_harbour(tables, document, report);
+  if (report.sound("impact") && tables.impact.force == ImpactForce::proverbs)
+    report.add(document.place("impact.force"),
+               "a calibration is for every wave with every mound, and has no wave that breaks on one wall",
+               "write force = \"impulse\" with a peak_gain");
   if (!tables.calibration) {
     if (report.sound("calibration"))
       report.add(document.place("calibration"), "the table [calibration] is missing, which 'calibrate' needs",

@@ -47,6 +47,8 @@ std::string why_no_slip(const Simulation& simulation) {
   if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
     return "the caisson deforms";
   if (!bottom_is_level(*simulation.mesh())) return "the caisson's bottom is not level";
+  if (simulation.scene().initial && simulation.scene().initial->harbour_level)
+    return "still water at two levels shears the base before the wave, and slip as a whole begins without shear";
   return "";
 }
 
