@@ -66,13 +66,13 @@ struct Surcharge {
 /// The state before the waves.
 struct InitialState {
   std::optional<double> water_level;  ///< height y of still water (m); none: the top of the regions of water
-  /// Height y of still water behind the caisson (m), where water_level is that of the sea; none: one level.
-  std::optional<double> harbour_level;
-  std::optional<double> k0;  ///< s'_x = s'_z = K_0 s'_y; none: all stresses from the elastic solution
+  std::optional<double> k0;           ///< s'_x = s'_z = K_0 s'_y; none: all stresses from the elastic solution
   std::map<std::string, Surcharge> surcharge{};
   RestStart start = RestStart::k0;  ///< of hysteretic soil
   bool bounds = true;               ///< whether soil that yields is solved also from the two other starts
   bool safety = false;              ///< whether to find the factor by which strength may fall at rest
+  /// Height y of still water behind the caisson (m), where water_level is that of the sea; none: one level.
+  std::optional<double> harbour_level{};
 };
 
 enum class ContactKind {

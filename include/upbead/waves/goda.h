@@ -28,8 +28,8 @@ struct Section {
   /// Factors of alpha_1 in p_1, of the other coefficient in p_1, and of p_u; none: 1, or the value for
   /// `dissipating_blocks`.
   std::optional<double> lambda_1, lambda_2, lambda_3;
-  double harbour_level = 0.;     ///< of still water behind the caisson above that of the sea (m); negative: lower
-  std::optional<double> facing;  ///< where the wall looks at, degrees from north: the chart's direction of its normal
+  double harbour_level = 0.;       ///< of still water behind the caisson above that of the sea (m); negative: lower
+  std::optional<double> facing{};  ///< where the wall looks at, degrees from north: the chart's direction of its normal
 };
 
 /// Water and gravity.
