@@ -63,7 +63,7 @@ double length_of(const Pulse& pulse) {
   return std::max(pulse.duration.value_or(0.), slow);
 }
 
-void check_row(const LoadCheck& check) {
+void check_pulses(const LoadCheck& check) {
   if (!check.load.pulse || (check.load.pulse->number == 1 && !check.load.pulse->period)) return;
   const PulseTable& pulse = *check.load.pulse;
   const auto wrong = [&](const char* key, const std::string& what, const std::string& cure) {
@@ -108,7 +108,7 @@ LoadWay by_pulse() {
           },
           [](const LoadCheck& check) {
             check.exactly_one("pulse", "history");
-            check_row(check);
+            check_pulses(check);
           },
           read_pulse};
 }
