@@ -93,7 +93,8 @@ class TwoLevels(Loads):
             self.assertIn("begins without the shear of still water", done.stderr)
 
     def test_formulas_have_them(self):
-        one, two = self.waves(), self.waves("section.harbour_level=-1.0")
+        friction = "section.friction=0.5"  # so that it slides
+        one, two = self.waves(friction), self.waves(friction, "section.harbour_level=-1.0")
         s, wave = one["section"], next(iter(one["waves"]))
         a, b = one["waves"][wave], two["waves"][wave]
         h, B = s["foundation_depth"], s["width"]
