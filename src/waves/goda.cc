@@ -132,12 +132,6 @@ double alpha_I0(double height, double berm_depth) {
   return std::min(height / berm_depth, 2.);
 }
 
-StillWater still_water(double front, double back, double width, double unit_weight) {
-  const double f = std::max(front, 0.), b = std::max(back, 0.);
-  return {0.5 * unit_weight * (f * f - b * b), unit_weight * (f * f * f - b * b * b) / 6.,
-          0.5 * unit_weight * width * (f - b)};
-}
-
 StillWater still_water(const Section& section, const Water& water) {
   const double front = section.foundation_depth;
   return still_water(front, front + section.harbour_level, section.width, water.density * water.gravity);

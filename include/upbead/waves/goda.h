@@ -8,6 +8,7 @@
 
 #include "upbead/base/error.h"
 #include "upbead/base/numbered_warning.h"
+#include "upbead/base/still_water.h"
 
 namespace upbead {
 
@@ -52,18 +53,7 @@ struct DesignWave {
 /// range of the formulas.
 Diagnostics diagnose(const Section& section);
 
-/// What still water that stands at two levels does to a caisson, beside W' in water as high as the sea: hydrostatic
-/// pressure on both walls, and under the base a pressure that falls in a straight line from one level to the other.
-struct StillWater {
-  double push = 0.;         ///< landward (N/m)
-  double push_moment = 0.;  ///< about the bottom's level, overturning landward positive (N m/m)
-  double weight = 0.;       ///< by which W' is larger (N/m); its line is B/3 from the heel, as of a triangle
-};
-
-/// `front`, `back`: height of the sea and of the harbour above the caisson's bottom, width B (m); one below the bottom
-/// counts as 0. `unit_weight`: rho g (N/m3).
-StillWater still_water(double front, double back, double width, double unit_weight);
-/// Of a section, by its harbour_level.
+/// What still water does by the harbour_level of a section.
 StillWater still_water(const Section& section, const Water& water);
 
 /// beta (degrees) of a wave that comes from `direction` at a wall that looks at `facing`, both in degrees from north:

@@ -9,7 +9,7 @@
 #include "fem/caisson/rigid_body.h"
 #include "fem/faces.h"
 #include "fem/unknowns.h"
-#include "upbead/waves/goda.h"
+#include "upbead/base/still_water.h"
 
 namespace upbead {
 
