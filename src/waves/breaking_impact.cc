@@ -59,10 +59,25 @@ BreakingImpact breaking_impact(const ImpactScatter& scatter, const Section& s, c
   return a;
 }
 
+namespace {
+
+/// What the parameter map of PROVERBS calls such waves, by h_b*, H_s* and B*; its limits are from memory, and no number
+/// depends on it.
+std::string by_the_map(const BreakingImpact& a) {
+  const double mound = a.relative_mound, height = a.relative_height, berm = a.relative_berm;
+  if (mound < 0.3) return height < 0.35 ? "quasi-standing" : "slightly breaking";
+  if (mound < 0.6) return height < 0.2 ? "quasi-standing" : "slightly breaking";
+  if (mound >= 0.9 || berm > 0.4) return "broken before the wall";
+  return height < 0.25 || berm < 0.12 ? "slightly breaking" : "impacts";
+}
+
+}  // namespace
+
 std::string describe(const ImpactScatter& scatter, const BreakingImpact& a) {
   const std::string heights = "H_b = " + significant(a.breaker) + " m" +
                               (scatter.breaker ? " (given)" : " by mound and L") + ", " + significant(100. * a.share) +
-                              " % of the waves break there";
+                              " % of the waves break there; waves of this sea are " + by_the_map(a) +
+                              " by the parameter map, its limits assumed";
   if (!a.breaks)
     return "no impact: H is below H_b, from which a wave breaks on the wall (" + heights +
            "): the peak is Goda's P; PROVERBS (Oumeraci et al. 2001), its numbers assumed";

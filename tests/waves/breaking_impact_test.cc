@@ -64,6 +64,27 @@ TEST(BreakingImpact, HasItsForceShareAndSecondMeasure) {
   EXPECT_FALSE(breaking_impact(s, c, water, low, L).sr443) << "H_1/3/h below 0.35";
 }
 
+TEST(BreakingImpact, IsToldWithItsSourceItsAssumptionsAndTheMap) {
+  BreakingImpact a;
+  const auto told = [&a](double mound, double height, double berm) {
+    a.relative_mound = mound;
+    a.relative_height = height;
+    a.relative_berm = berm;
+    return describe({}, a);
+  };
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(
+      has(told(0.2, 0.3, 0.1), "waves of this sea are quasi-standing by the parameter map, its limits assumed"));
+  EXPECT_TRUE(has(told(0.2, 0.4, 0.1), "slightly breaking"));
+  EXPECT_TRUE(has(told(0.5, 0.4, 0.2), "slightly breaking"));
+  EXPECT_TRUE(has(told(0.7, 0.4, 0.1), "slightly breaking"));
+  EXPECT_TRUE(has(told(0.7, 0.4, 0.2), "are impacts by"));
+  EXPECT_TRUE(has(told(0.7, 0.4, 0.5), "broken before the wall"));
+  EXPECT_TRUE(has(told(0.7, 0.4, 0.2), "no impact: H is below H_b")) << "whatever the map says";
+  a.breaks = true;
+  EXPECT_TRUE(has(told(0.7, 0.4, 0.2), "PROVERBS (Oumeraci et al. 2001), its numbers assumed"));
+}
+
 TEST(BreakingImpact, ScattersItsRiseAboutTheMean) {
   ImpactScatter s;
   EXPECT_EQ(relative_rise(s), 1.);
