@@ -204,9 +204,9 @@ namespace {
 
 std::string impact_words(const WaveLoad& w) {
   const ImpactAssumptions& a = w.table.impact;
-  return "the larger of a triangle, rise " + significant(a.rise_coefficient) +
-         " sqrt(d/g) rho g H^2 / P, duration rise (" + significant(a.duration_least) + " + " +
-         significant(a.duration_gain) + " exp(-" + significant(a.duration_decay) +
+  return "the larger of a triangle, rise " + significant(a.rise_coefficient) + " sqrt(d/g) rho g " +
+         (w.breaking && w.breaking->breaks ? "H_b" : "H") + "^2 / P, duration rise (" + significant(a.duration_least) +
+         " + " + significant(a.duration_gain) + " exp(-" + significant(a.duration_decay) +
          " rise/T)), and gamma P_1 sin(2 pi t/T) with gamma = " + significant(w.impact->reduction) +
          ": half a period keeps the impulse P_1 T/pi, where the triangle alone has no more; assumptions of ours";
 }
