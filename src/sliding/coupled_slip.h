@@ -50,7 +50,6 @@ struct CoupledHistory {
 struct SlipLevel {
   double length = 0.;  ///< s
   std::array<SlipSteps, 4> steps;
-  std::array<SlipWithinStep, 4> within;
 };
 
 /// Computes the sliding of one model under any number of waves; const and safe to share between threads.
