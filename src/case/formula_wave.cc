@@ -12,78 +12,53 @@ const std::vector<std::pair<std::string, ImpactForce>> impact_force_words{
 namespace {
 
 void declare_depths(TableSchema<Section>& table) {
-  table.key("water_depth", &Section::water_depth)
-      .unit("m")
+  table.key("water_depth", &Section::water_depth, "m", "depth h at the wall").range(formula_length()).required();
+  table.key("foundation_depth", &Section::foundation_depth, "m", "depth h' of the caisson's bottom below still water")
       .range(formula_length())
-      .required()
-      .doc("depth h at the wall");
-  table.key("foundation_depth", &Section::foundation_depth)
-      .unit("m")
+      .required();
+  table.key("berm_depth", &Section::berm_depth, "m", "depth d of the top of the mound's armour below still water")
       .range(formula_length())
-      .required()
-      .doc("depth h' of the caisson's bottom below still water");
-  table.key("berm_depth", &Section::berm_depth)
-      .unit("m")
-      .range(formula_length())
-      .required()
-      .doc("depth d of the top of the mound's armour below still water");
-  table.key("crest", &Section::crest)
-      .unit("m")
+      .required();
+  table.key("crest", &Section::crest, "m", "height h_c of the crest above still water")
       .range(from_to(0., 1e4))
-      .required()
-      .doc("height h_c of the crest above still water");
-  table.key("width", &Section::width).unit("m").range(formula_length()).required().doc("width B of the caisson");
-  table.key("berm_width", &Section::berm_width)
-      .unit("m")
+      .required();
+  table.key("width", &Section::width, "m", "width B of the caisson").range(formula_length()).required();
+  table.key("berm_width", &Section::berm_width, "m", "width B_M of the mound's berm in front of the caisson")
       .range(from_to(0., 1e4))
-      .required()
-      .doc("width B_M of the mound's berm in front of the caisson");
-  table.key("bed_slope", &Section::bed_slope)
+      .required();
+  table.key("bed_slope", &Section::bed_slope, "", "slope tan(theta) of the seabed in front")
       .range(from_to(0., 1.))
-      .required()
-      .doc("slope tan(theta) of the seabed in front");
+      .required();
 }
 
 void declare_weights(TableSchema<Section>& table) {
-  table.key("weight", &Section::weight)
-      .unit("N/m")
+  table.key("weight", &Section::weight, "N/m", "weight W of the caisson with its fill, in air")
       .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W of the caisson with its fill, in air");
-  table.key("submerged_weight", &Section::submerged_weight)
+      .required();
+  table.key("submerged_weight", &Section::submerged_weight, "N/m", "weight W' of the caisson in still water")
       .formerly("buoyant_weight")
-      .unit("N/m")
       .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W' of the caisson in still water");
-  table.key("centroid", &Section::centroid)
-      .unit("m")
+      .required();
+  table.key("centroid", &Section::centroid, "m", "distance t from the landward heel to the line of W'")
       .range(formula_length())
-      .fallback("width / 2")
-      .doc("distance t from the landward heel to the line of W'");
-  table.key("friction", &Section::friction)
-      .range(from_to(0.01, 10.))
-      .doc("friction coefficient mu between the caisson and the mound");
+      .fallback("width / 2");
+  table.key("friction", &Section::friction, "", "friction coefficient mu between the caisson and the mound")
+      .range(from_to(0.01, 10.));
 }
 
 void declare_blocks(TableSchema<Section>& table) {
-  table.key("blocks", &Section::dissipating_blocks)
-      .doc(
-          "true: wave-dissipating blocks cover the wall; changes the standards of the three factors below, to be "
-          "checked "
-          "in Takahashi, Tanimoto and Shimosako (1990)");
-  table.key("lambda_1", &Section::lambda_1)
+  table.key("blocks", &Section::dissipating_blocks, "",
+            "true: wave-dissipating blocks cover the wall; changes the standards of the three factors below, to be "
+            "checked in Takahashi, Tanimoto and Shimosako (1990)");
+  table.key("lambda_1", &Section::lambda_1, "", "factor lambda_1 of the pressure by alpha_1, and of eta*")
       .range(from_to(0., 2.))
-      .fallback("1; with blocks 1 up to H/h = 0.3, 1.2 - (2/3) H/h up to 0.6, 0.8 beyond")
-      .doc("factor lambda_1 of the pressure by alpha_1, and of eta*");
-  table.key("lambda_2", &Section::lambda_2)
+      .fallback("1; with blocks 1 up to H/h = 0.3, 1.2 - (2/3) H/h up to 0.6, 0.8 beyond");
+  table.key("lambda_2", &Section::lambda_2, "", "factor lambda_2 of the pressure by alpha*")
       .range(from_to(0., 2.))
-      .fallback("1; with blocks 0")
-      .doc("factor lambda_2 of the pressure by alpha*");
-  table.key("lambda_3", &Section::lambda_3)
+      .fallback("1; with blocks 0");
+  table.key("lambda_3", &Section::lambda_3, "", "factor lambda_3 of the uplift")
       .range(from_to(0., 2.))
-      .fallback("as lambda_1 without a value of its own")
-      .doc("factor lambda_3 of the uplift");
+      .fallback("as lambda_1 without a value of its own");
 }
 
 Diagnostic no_height() {
@@ -95,32 +70,29 @@ Diagnostic no_height() {
 
 TableSchema<Limits> limits_schema() {
   TableSchema<Limits> table;
-  table.key("sliding", &Limits::sliding)
-      .unit("m")
-      .range(above(0.))
-      .doc("largest sliding distance S that is allowed; where soil yields, of S and what the ground carries together");
-  table.key("base_pressure", &Limits::base_pressure)
-      .unit("Pa")
-      .range(above(0.))
-      .doc(
-          "largest pressure p_e of heel and toe on the mound, by Goda's formulas, that is allowed; 400e3 to 600e3 in "
-          "Japanese practice, which was made for it");
-  table.key("dynamic_base_pressure", &Limits::dynamic_base_pressure)
-      .unit("Pa")
-      .range(above(0.))
-      .doc(
-          "largest pressure of heel and toe in motion, of a moment and with its impulse, that is allowed; practice "
-          "knows "
-          "no such limit, and that of base_pressure was not made for it");
-  table.key("overturning", &Limits::overturning)
-      .range(above(0.))
-      .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
-  table.key("safety", &Limits::safety)
-      .range(above(0.))
-      .doc(
-          "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
-          "with "
-          "less does not stand. Has the factor computed, as initial.safety does");
+  table
+      .key("sliding", &Limits::sliding, "m",
+           "largest sliding distance S that is allowed; where soil yields, of S and what the ground carries together")
+      .range(above(0.));
+  table
+      .key("base_pressure", &Limits::base_pressure, "Pa",
+           "largest pressure p_e of heel and toe on the mound, by Goda's formulas, that is allowed; 400e3 to 600e3 in "
+           "Japanese practice, which was made for it")
+      .range(above(0.));
+  table
+      .key("dynamic_base_pressure", &Limits::dynamic_base_pressure, "Pa",
+           "largest pressure of heel and toe in motion, of a moment and with its impulse, that is allowed; practice "
+           "knows no such limit, and that of base_pressure was not made for it")
+      .range(above(0.));
+  table
+      .key("overturning", &Limits::overturning, "",
+           "least margin against overturning that is allowed; 1.2 in Japanese practice")
+      .range(above(0.));
+  table
+      .key("safety", &Limits::safety, "",
+           "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
+           "with less does not stand. Has the factor computed, as initial.safety does")
+      .range(above(0.));
   return table;
 }
 

@@ -42,44 +42,42 @@ TableSchema<Limits> limits_schema();
 /// Declares the keys of WaveGiven.
 template <class T>
 void declare_wave(TableSchema<T>& table) {
-  table.key("height", &T::height)
-      .unit("m")
+  table.key("height", &T::height, "m", "height H of the wave; the highest one, H_D, for a design; or deep_water_height")
+      .range(formula_length());
+  table.key("significant_height", &T::significant_height, "m", "significant height H_1/3; sets where h_b is taken")
       .range(formula_length())
-      .doc("height H of the wave; the highest one, H_D, for a design; or deep_water_height");
-  table.key("significant_height", &T::significant_height)
-      .unit("m")
-      .range(formula_length())
-      .fallback("height / 1.8, or by random breaking")
-      .doc("significant height H_1/3; sets where h_b is taken");
-  table.key("deep_water_height", &T::deep_water_height)
-      .unit("m")
-      .range(formula_length())
-      .doc("equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking");
-  table.key("period", &T::period).unit("s").range(from_to(0.01, 1e4)).required().doc("significant wave period T");
-  table.key("angle", &T::angle)
-      .unit("deg")
-      .range(from_to_below(0., 90.))
-      .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
+      .fallback("height / 1.8, or by random breaking");
+  table
+      .key("deep_water_height", &T::deep_water_height, "m",
+           "equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking")
+      .range(formula_length());
+  table.key("period", &T::period, "s", "significant wave period T").range(from_to(0.01, 1e4)).required();
+  table
+      .key("angle", &T::angle, "deg",
+           "angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it")
+      .range(from_to_below(0., 90.));
 }
 
 /// Declares the keys of ImpactAssumptions.
 template <class T>
 void declare_impact(TableSchema<T>& table) {
-  table.key("peak_gain", &T::peak_gain)
+  table
+      .key("peak_gain", &T::peak_gain, "",
+           "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
+           "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
+           "tells")
       .range(from_to(0., 100.))
-      .fallback("as much as makes P_I Goda's P with alpha*")
-      .doc(
-          "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
-          "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
-          "tells");
-  table.key("rise_coefficient", &T::rise_coefficient)
-      .range(from_to(0.01, 100.))
-      .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");
-  table.key("duration_least", &T::duration_least)
-      .range(from_to(1.1, 1000.))
-      .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
-  table.key("duration_gain", &T::duration_gain).range(from_to(0., 1000.)).doc("b of the duration; an assumption");
-  table.key("duration_decay", &T::duration_decay).range(from_to(0., 1000.)).doc("c of the duration; an assumption");
+      .fallback("as much as makes P_I Goda's P with alpha*");
+  table
+      .key("rise_coefficient", &T::rise_coefficient, "",
+           "c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption")
+      .range(from_to(0.01, 100.));
+  table
+      .key("duration_least", &T::duration_least, "",
+           "a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption")
+      .range(from_to(1.1, 1000.));
+  table.key("duration_gain", &T::duration_gain, "", "b of the duration; an assumption").range(from_to(0., 1000.));
+  table.key("duration_decay", &T::duration_decay, "", "c of the duration; an assumption").range(from_to(0., 1000.));
 }
 
 /// What is missing, or contradicts another key.

@@ -16,30 +16,27 @@ bool has_rise(const Pulse& pulse) {
 
 TableSchema<Pulse> pulse_schema() {
   TableSchema<Pulse> table;
-  table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
-  table.key("peak", &Pulse::peak)
-      .unit("N/m or Pa")
-      .required()
-      .doc("largest value, in the unit of the load's kind; of a harmonic its amplitude");
-  table.key("rise", &Pulse::rise)
-      .unit("s")
+  table.choice("shape", &Pulse::shape, pulse_shape_words, "shape of the history").required();
+  table
+      .key("peak", &Pulse::peak, "N/m or Pa",
+           "largest value, in the unit of the load's kind; of a harmonic its amplitude")
+      .required();
+  table.key("rise", &Pulse::rise, "s", "time from start to peak")
       .range(at_least(0.))
       .fallback("half the duration; of a step 0")
-      .doc("time from start to peak")
       .when("shape", has_rise, "in a triangle, a church_roof and a step");
-  table.key("duration", &Pulse::duration)
-      .unit("s")
-      .range(above(0.))
-      .doc("duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof");
-  table.key("start", &Pulse::start).unit("s").range(at_least(0.)).doc("time of the start; zero before");
-  table.key("plateau", &Pulse::plateau)
-      .range(between(0., 1.))
-      .doc("value of the slow part over the peak; of a church_roof");
-  table.key("plateau_duration", &Pulse::plateau_duration)
-      .unit("s")
-      .range(above(0.))
-      .doc("time from start until the slow part has gone; of a church_roof");
-  table.key("frequency", &Pulse::frequency).unit("Hz").range(above(0.)).doc("frequency; of a harmonic");
+  table
+      .key("duration", &Pulse::duration, "s",
+           "duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof")
+      .range(above(0.));
+  table.key("start", &Pulse::start, "s", "time of the start; zero before").range(at_least(0.));
+  table.key("plateau", &Pulse::plateau, "", "value of the slow part over the peak; of a church_roof")
+      .range(between(0., 1.));
+  table
+      .key("plateau_duration", &Pulse::plateau_duration, "s",
+           "time from start until the slow part has gone; of a church_roof")
+      .range(above(0.));
+  table.key("frequency", &Pulse::frequency, "Hz", "frequency; of a harmonic").range(above(0.));
   return table;
 }
 

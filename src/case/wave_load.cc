@@ -40,17 +40,17 @@ TableSchema<ImpactAssumptions> wave_impact_schema() {
 TableSchema<WaveLoadTable> wave_load_schema() {
   TableSchema<WaveLoadTable> table;
   declare_wave(table);
-  table.choice("course", &WaveLoadTable::course, wave_course_words)
-      .required()
-      .doc(
+  table
+      .choice(
+          "course", &WaveLoadTable::course, wave_course_words,
           "how P runs in time; church_roof: an impulsive triangle beside half a standing wave, by [.impact]; triangle: "
           "tau_0 = k(alpha*) tau_0F; sine: half a sine of T/2; combined: that triangle beside half a standing wave; "
-          "standing: crest and trough of a standing wave of finite height, for waves that do not break");
-  table.choice("force", &WaveLoadTable::force, impact_force_words)
-      .doc(
-          "peak of P; goda_with_alpha_I: as `waves` gives it, an effective sliding force; impulse: P_I of [.impact], "
-          "as "
-          "`expected` has it")
+          "standing: crest and trough of a standing wave of finite height, for waves that do not break")
+      .required();
+  table
+      .choice("force", &WaveLoadTable::force, impact_force_words,
+              "peak of P; goda_with_alpha_I: as `waves` gives it, an effective sliding force; impulse: P_I of "
+              "[.impact], as `expected` has it")
       .when("course", has_impact, "where course = \"church_roof\"");
   table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
       .doc("The impulsive part of a church roof, as in a design: assumptions of ours.")

@@ -2,7 +2,7 @@
 // keys, defaults, the echo as TOML, the reference, and the JSON Schema.
 //
 //   TableSchema<Fluid> table;
-//   table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
+//   table.key("density", &Fluid::density, "kg/m3", "density of the water").range(above(0.));
 //
 // Defaults are those of a default-constructed T.
 #pragma once
@@ -113,6 +113,11 @@ class TableSchema {
   Entry<T> key(const std::string& name, V Base::*member) {
     return Entry<T>(add_key(name, member));
   }
+  /// With its unit ("" where it has none) and meaning, see Entry::doc().
+  template <class V, class Base>
+  Entry<T> key(const std::string& name, V Base::*member, const std::string& unit, const std::string& meaning) {
+    return key(name, member).unit(unit).doc(meaning);
+  }
 
   /// An enum (or an optional one), written as a word.
   template <class V, class Base, class Enum>
@@ -127,6 +132,11 @@ class TableSchema {
       return {};
     };
     return Entry<T>(key);
+  }
+  template <class V, class Base, class Enum>
+  Entry<T> choice(const std::string& name, V Base::*member, const std::vector<std::pair<std::string, Enum>>& words,
+                  const std::string& meaning) {
+    return choice(name, member, words).doc(meaning);
   }
 
   /// A value that fills one member, or a table that fills another: `name = 1.0` or `name = { ... }`.
