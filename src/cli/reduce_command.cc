@@ -241,7 +241,7 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
   return list;
 }
 
-Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
+Reduction reduce_bonded(const Simulation& simulation, bool all_readings) {
   Progress progress("reducing");
   Reduction reduction =
       reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
@@ -261,7 +261,7 @@ int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   const Simulation simulation = simulation_for_waves(input);
   const Stopwatch watch;
   Reduced made;
-  made.reduction = reduce_glued(simulation, options.all_readings);
+  made.reduction = reduce_bonded(simulation, options.all_readings);
   made.timing = simulation.timing();
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;

@@ -28,7 +28,7 @@ struct LadderStep {
 using Ladder = std::vector<LadderStep>;
 
 /// How near the bonded caisson comes to slipping or lifting, at the node where it comes nearest.
-struct GluedDemand {
+struct BondedDemand {
   double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (null in the file) where a node pulls
   double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 where a node pulls
   double margin = 0.;        ///< of both, allowing for errors of the forces; 0 where it was marched
@@ -53,7 +53,7 @@ struct ContactSummary {
   double friction = 0.;  ///< mu
   double weight = 0.;    ///< sum of N_i at rest (N/m)
   int nodes = 0;
-  GluedDemand demand;
+  BondedDemand demand;
   std::optional<NodeContact> solved;  ///< none where the bonded solution obeys the law of contact
 };
 

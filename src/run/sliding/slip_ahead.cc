@@ -24,9 +24,9 @@ double demand(const Simulation& simulation) {
 }
 
 /// Fulfils a promise at the end of its scope, also after an exception.
-struct Tell {
+struct KeptPromise {
   std::promise<void>& promise;
-  ~Tell() { promise.set_value(); }
+  ~KeptPromise() { promise.set_value(); }
 };
 
 bool is_worth_it(const Simulation& simulation) {
@@ -64,7 +64,7 @@ void SlipAhead::begin() {
   left_mesh_ = assembled_.get_future().share();
   space_ = std::async(std::launch::async, [this] {
     AssembledScene assembled = [&] {
-      const Tell left{assembled_};
+      const KeptPromise left{assembled_};
       return with_interface(*simulation_);
     }();
     return std::make_unique<SlidingSpace>(*simulation_, std::move(assembled));
