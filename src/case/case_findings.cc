@@ -51,12 +51,6 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   return list;
 }
 
-std::vector<Skipped> left_out_of(const RecordNotes& notes) {
-  std::vector<Skipped> list;
-  for (const LeftOut& part : notes.left_out) list.push_back({part.what, part.why});
-  return list;
-}
-
 OutputSchema<MeasuredSummary> measured_outputs() {
   using M = MeasuredSummary;
   using C = Comparison;
@@ -113,7 +107,7 @@ Finding files_finding(const Case* input) {
   f.of_scene = [input](const Simulation& simulation, const std::optional<double>&) {
     return warnings_of_files(*input, simulation, record_notes(*input));
   };
-  f.skipped_of_scene = [input](const Simulation&, bool) { return left_out_of(record_notes(*input)); };
+  f.skipped_of_scene = [input](const Simulation&, bool) { return record_notes(*input).left_out; };
   return f;
 }
 
@@ -133,7 +127,7 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
   };
   f.skipped = [records](const Evidence&, const Summary&) {
     SkippedList list;
-    for (const MeasuredRecord& record : *records) append(list, left_out_of(record.notes));
+    for (const MeasuredRecord& record : *records) append(list, record.notes.left_out);
     return list;
   };
   return f;

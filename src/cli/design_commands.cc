@@ -65,7 +65,7 @@ Answer expected(const Design& design, const Stopwatch& since_start) {
   return {{{"results.h5", results}},
           to_json(design, answer, timing),
           describe(design, answer),
-          notes_of(answer) + describe(warnings_of(design, answer))};
+          note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }
 
 Answer calibrated(const Design& design, const Stopwatch&) {
