@@ -4,7 +4,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fem/faces.h"
 #include "fem/moving_frame.h"

@@ -1,6 +1,5 @@
 #include "model/exclusions.h"
 
-#include <algorithm>
 #include <array>
 
 namespace upbead {
