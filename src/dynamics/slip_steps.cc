@@ -119,9 +119,13 @@ SlipSteps::SlipSteps(const SlipPhase& phase, ContactState contact, const Eigen::
   pole_ = detail::padded(modes.pole);
   watched_ = detail::padded(modes.reading.row(row).transpose());
   normal_ = detail::padded(modes.reading.row(row_normal).transpose());
-  integral_ = detail::padded(phi1);
-  whole_ = detail::padded(step * phi2);
-  rise_ = detail::padded(step * step * phi3);
+  const auto integral = [&](const Eigen::VectorXcd& reading) -> Integral {
+    const Eigen::RowVectorXcd whole = step * phi2.cwiseProduct(reading).transpose(),
+                              rise = step * phi3.cwiseProduct(reading).transpose();
+    return {detail::padded(phi1.cwiseProduct(reading)), ((whole - rise) * modes.load).real(),
+            (rise * modes.load).real()};
+  };
+  distance_ = integral(modes.reading.row(row_velocity).transpose());
   for (int k = 0; k < modes.n_loads(); ++k)
     if (const Eigen::VectorXcd load = modes.load.col(k); !load.isZero(0.))
       inputs_.push_back({k, detail::padded(load), detail::padded((phi1 - phi2).cwiseProduct(load)),
@@ -134,7 +138,7 @@ SlipSteps::SlipSteps(const SlipPhase& phase, ContactState contact, const Eigen::
   for (int k = 0; k < rows.rows(); ++k) {
     if (of_modes.row(k).isZero(0.)) continue;
     const Eigen::VectorXcd worker = (of_modes.row(k).head(M) - Complex(0., 1.) * of_modes.row(k).tail(M)).transpose();
-    workers_.push_back({k, detail::padded(worker), weights(worker, modes.pole, step)});
+    workers_.push_back({k, detail::padded(worker), integral(worker), weights(worker, modes.pole, step)});
   }
 }
 
@@ -174,12 +178,11 @@ SlipWithin SlipSteps::within(const SplitArray& from, const SplitArray& to, const
   const Eigen::ArrayXd size =
       ((real(pole_, first) + rise.re).square() + (imag(pole_, first) + rise.im).square()).sqrt();  // |z''(0)|
   const auto bend = [&size](const Weights& w) { return SlipBend{(w.slow * size).sum(), (w.fast * size).sum()}; };
-  const SplitArray z{real(integral_, from) + real(whole_, start) + real(rise_, rise),
-                     imag(integral_, from) + imag(whole_, start) + imag(rise_, rise)};
-  SlipWithin y{bend(velocity_weights_), bend(normal_weights_), read(watched_, z)};  // s' has no direct part
+  const auto integral = [&](const Integral& i) { return read(i.from, from) + i.begin.dot(begin) + i.end.dot(end); };
+  SlipWithin y{bend(velocity_weights_), bend(normal_weights_), integral(distance_)};
   for (const Worker& worker : workers_) {
     const double f = begin[worker.load], g = end[worker.load];
-    y.work += 0.5 * (f + g) * read(worker.row, z);
+    y.work += 0.5 * (f + g) * integral(worker.integral);
     if (f == g) continue;
     y.work += step_ / 12. * (g - f) * (read(worker.row, to) - read(worker.row, from));
     const SlipBend of_work = bend(worker.weights);

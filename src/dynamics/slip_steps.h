@@ -66,10 +66,17 @@ class SlipSteps {
   struct Weights {
     Eigen::ArrayXd slow, fast;
   };
+  /// The integral of a reading over the step, without its direct part: by the modes at the beginning, and by the loads
+  /// at both ends.
+  struct Integral {
+    detail::SplitArray from;
+    Eigen::RowVectorXd begin, end;
+  };
   /// A load that does work, and its row.
   struct Worker {
     int load;
     detail::SplitArray row;
+    Integral integral;
     Weights weights;
   };
   static Weights weights(const Eigen::VectorXcd& reading, const Eigen::VectorXcd& pole, double step);
@@ -79,7 +86,7 @@ class SlipSteps {
   double step_;
   Eigen::Index n_pairs_ = 0;  ///< modes that may be complex come first
   detail::SplitArray pole_, E_, watched_, normal_;
-  detail::SplitArray integral_, whole_, rise_;  ///< of z over the step: per z, per a and per b of z' = p z + a + b t
+  Integral distance_;  ///< of s'
   Weights velocity_weights_, normal_weights_;
   std::vector<Input> inputs_;
   std::vector<Worker> workers_;
