@@ -121,6 +121,11 @@ TableSchema<Limits> limits_schema() {
           "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
           "with "
           "less does not stand. Has the factor computed, as initial.safety does");
+  table.key("circles", &Limits::circles)
+      .range(above(0.))
+      .doc(
+          "least factor of safety of slip circles through mound and ground under the caisson, by Bishop's simplified "
+          "method, that is allowed; 1.0 in waves in Japanese practice. Only a run checks it");
   return table;
 }
 

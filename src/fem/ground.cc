@@ -21,14 +21,6 @@ std::vector<bool> water_cells(const Scene& scene, const Mesh& mesh) {
   return absent;
 }
 
-/// Submerged or in air (N/m3); for a rigid body from its mass, spread evenly.
-double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
-  const double rho_f = below_water ? scene.fluid.density : 0.;
-  if (region.kind == RegionKind::porous)
-    return (1. - *region.porosity) * (*region.grain_density - rho_f) * scene.gravity;
-  return (density - rho_f) * scene.gravity;
-}
-
 bool is_cut(const Cell& cell, double level) {
   bool above = false, below = false;
   for (const unsigned v : cell->vertex_indices()) (cell->vertex(v)[1] > level ? above : below) = true;
@@ -36,6 +28,13 @@ bool is_cut(const Cell& cell, double level) {
 }
 
 }  // namespace
+
+double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
+  const double rho_f = below_water ? scene.fluid.density : 0.;
+  if (region.kind == RegionKind::porous)
+    return (1. - *region.porosity) * (*region.grain_density - rho_f) * scene.gravity;
+  return (density - rho_f) * scene.gravity;
+}
 
 Scene at_rest(Scene scene) {
   scene.time.inertia = false;

@@ -13,6 +13,9 @@ namespace upbead {
 /// The scene at rest: no pressures, no waves, no absorbing sides.
 Scene at_rest(Scene scene);
 
+/// Of a region, submerged or in air (N/m3); `density`: of a body, a rigid one's from its mass, spread evenly.
+double unit_weight(const Region& region, const Scene& scene, double density, bool below_water);
+
 /// The ground that deforms, with given stiffness; without free water. `scene` is the result of at_rest(), and
 /// outlives it.
 class Ground {

@@ -80,6 +80,7 @@ struct Limits {
   std::optional<double> dynamic_base_pressure;  ///< of heel and toe in motion (Pa)
   std::optional<double> overturning;            ///< least margin against it
   std::optional<double> safety;                 ///< least factor of strength at rest; 1 where none is given
+  std::optional<double> circles;                ///< least factor of slip circles through the ground
 };
 
 enum class DisplacementCondition {

@@ -236,6 +236,35 @@ struct SafetySummary {
   std::string why_open;                ///< why the bounds are no closer; "" where they are as close as asked for
 };
 
+/// The least safe slip circle through the ground under the caisson, and what pressed on the ground then.
+struct SlipCircleFound {
+  double factor = 0.;                          ///< F by Bishop's simplified method
+  std::optional<double> time;                  ///< s; none: at rest
+  std::string slips;                           ///< landward or seaward
+  std::array<double, 2> centre{0., 0.};        ///< m
+  double radius = 0., from = 0., to = 0.;      ///< of the circle, and x of its ends on the surface (m)
+  double force = 0., shear = 0., moment = 0.;  ///< N', F_T (N/m) and M' (N m/m) of the base
+  double strip_from = 0., strip_to = 0.;       ///< x of the ends of the effective width (m)
+};
+
+/// The least safe block that slips on a level plane through the ground between two wedges, at one moment.
+struct SlipBlockFound {
+  double factor = 0.;        ///< F by horizontal forces, without Janbu's f_0
+  std::vector<double> x, y;  ///< corners, from left to right (m)
+};
+
+/// Slip circles under the caisson: at rest, and in motion with the pore pressure of still water and with that computed.
+struct SlipCircles {
+  std::optional<SlipCircleFound> at_rest, still, computed;  ///< none: no circle has a factor, or not looked for
+  std::string why_not_computed;            ///< why there is none by the computed pressure; "" where there is
+  std::optional<SlipCircleFound> governs;  ///< the least of them
+  std::string by;                          ///< which that is: at_rest, still, computed
+  std::optional<SlipBlockFound> block;     ///< of the moment and pressure that govern; none where no block has a factor
+  std::optional<double> leaves_time;       ///< when the resultant leaves the base, so that no strip bears it (s)
+  std::string uncut;        ///< regions without a strength, which no circle cuts; "" where there are none
+  double share_steep = 0.;  ///< of the circles tried: left out, as the method does not hold for them
+};
+
 /// What it cost to solve soil that yields, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
@@ -344,6 +373,8 @@ struct Summary {
   std::optional<ResidualSummary> residual;     ///< where soil yields, of a caisson
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
+  std::optional<SlipCircles> circles;          ///< none where no region has a strength, or no base presses on it
+  std::string why_no_circles;                  ///< why not; "" where they are there
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
   std::optional<Verdict> verdict;              ///< drawn from checks and warnings
   Checks checks;                               ///< of the section, in the order of a sheet
