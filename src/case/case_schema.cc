@@ -233,8 +233,10 @@ TableSchema<CaseTables> case_schema() {
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
-  table.elsewhere({"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics",
-                   "impact", "calibration"});  // of `waves`, `expected`, `calibrate`: a case may be their design, too
+  table.elsewhere(
+      {"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics", "impact",
+       "calibration",
+       "reliability"});  // of `waves`, `expected`, `calibrate`, `reliability`: a case may be their design, too
   return table;
 }
 

@@ -123,6 +123,8 @@ TableSchema<DesignTables> design_schema() {
   add_expected_tables(table);
   table.table("calibration", &DesignTables::calibration, calibration_schema())
       .doc("For `calibrate`: waves and mounds, every value with every other, and reduced models.");
+  table.table("reliability", &DesignTables::reliability, reliability_schema())
+      .doc("For `reliability`: probabilities of failure in one wave, whose numbers are random.");
   table.table("report", &DesignTables::report, report_table()).doc(report_table_doc);
   table.elsewhere(left_to(case_schema(), table));
   return table;

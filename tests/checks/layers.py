@@ -29,7 +29,8 @@ ALLOWED = {
     "respond": RUN + ["input", "run", "findings", "case"],
     "design": RUN + ["input", "run", "findings", "case"],
     "study": RUN + ["input", "run", "findings", "case"],
-    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study"],
+    "reliability": RUN + ["input", "run", "findings", "case", "design"],
+    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study", "reliability"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')
 PRIVATE = re.compile(r'^\s*#\s*include\s+"(?!upbead/)')
