@@ -44,14 +44,14 @@ std::string line_of(const Cells& cells, const std::vector<std::size_t>& width) {
   return line;
 }
 
-constexpr std::size_t widest_line = 100;
+constexpr std::size_t widest_sheet_line = 100;
 
 /// The name, then its cells in the same line where they fit, else below it.
 std::string entry_of(const std::string& name, const std::string& cells) {
   constexpr std::size_t begin = 34;
-  if (name.size() <= begin && begin + cells.size() <= widest_line)
+  if (name.size() <= begin && begin + cells.size() <= widest_sheet_line)
     return name + std::string(begin - name.size(), ' ') + cells + "\n";
-  return name + "\n" + std::string(std::min(begin, widest_line - std::min(cells.size(), widest_line)), ' ') + cells +
+  return name + "\n" + std::string(std::min(begin, widest_sheet_line - std::min(cells.size(), widest_sheet_line)), ' ') + cells +
          "\n";
 }
 

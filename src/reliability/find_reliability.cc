@@ -25,7 +25,17 @@ struct Work {
   Sampling sampling;
 };
 
-Work work_of(const DesignTables& tables) {
+StandardSpace space_of(const RandomVariables& random, const Document& document) {
+  try {
+    return StandardSpace(random);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(document.place("reliability"), std::string("[reliability]: ") + error.what(),
+                     "look at its variables and correlations");
+  }
+}
+
+Work work_of(const Design& design) {
+  const DesignTables& tables = design.tables;
   const ReliabilityTable& table = *tables.reliability;
   RandomVariables random{{}, complete_variables(tables), {}};
   for (const auto& [name, variable] : table.variables) random.names.push_back(name);
@@ -34,7 +44,7 @@ Work work_of(const DesignTables& tables) {
           random.names,
           random.list,
           std::make_shared<SectionModel>(tables),
-          StandardSpace(random),
+          space_of(random, design.document),
           {static_cast<std::uint32_t>(table.seed), table.samples, table.plain_samples}};
 }
 
@@ -142,9 +152,10 @@ std::string top_of(const std::map<std::string, SystemNode>& gates) {
 }
 
 ReliabilityAnswer answer_of(const Design& design) {
-  const Work work = work_of(design.tables);
+  const Work work = work_of(design);
   const ReliabilityTable& table = *design.tables.reliability;
-  const std::vector<SectionLimitState> states = section_limit_states(work.model->at(work.model->certain()));
+  const std::vector<SectionLimitState> states =
+      section_limit_states(work.model->at(work.model->certain()), seaward_force(design.tables));
   const std::map<std::string, SystemNode> gates = gates_of(table, states);
   ReliabilityAnswer answer;
   answer.wave = random_wave(design.tables);

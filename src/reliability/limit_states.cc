@@ -45,6 +45,19 @@ SectionLimitState distance_state(const std::string& name, double limit) {
           [limit](const SectionPoint& at) { return sliding_margin(at, limit); }, "", true};
 }
 
+/// mu W' - P over mu W' of the certain section; no suction under the base, as in standing_answer().
+SectionLimitState seaward_state(const SeawardForce& seaward, double scale) {
+  const std::string meaning = "safety factor against sliding seaward below 1 in the trough, mu W' < P";
+  if (!seaward.of_height) return without("sliding_seaward", meaning, seaward.why_not);
+  return {"sliding_seaward",
+          meaning + "; waves above " + significant(seaward.highest, 3) + " m with the force of that height",
+          [seaward, scale](const SectionPoint& at) {
+            const Section& s = at.section;
+            return (s.friction * s.submerged_weight - at.force_factor * seaward.of_height(at.height)) / scale;
+          },
+          "", false};
+}
+
 }  // namespace
 
 /// With r = F_Smax/(mu W') and C = mu W' tau_0^2/m, S = C (1/4 + sqrt(2)/6) (r - 1)^3/r^2 while the block stops within
@@ -60,7 +73,7 @@ double sliding_margin(const SectionPoint& at, double limit) {
   return std::cbrt(limit / (scale * std::max(at.sliding_factor, 1e-12))) - demand;
 }
 
-std::vector<SectionLimitState> section_limit_states(const SectionPoint& at) {
+std::vector<SectionLimitState> section_limit_states(const SectionPoint& at, const SeawardForce& seaward) {
   const Section& s = at.section;
   const double friction = s.friction * s.submerged_weight, moment = s.submerged_weight * arm(s);
   std::vector<SectionLimitState> list{
@@ -81,8 +94,7 @@ std::vector<SectionLimitState> section_limit_states(const SectionPoint& at) {
   else
     list.push_back(
         without("heel_pressure", pressed, "no limits.base_pressure: give the pressure (Pa) that the mound bears"));
-  list.push_back(without("sliding_seaward", "safety factor against sliding seaward below 1, in the trough",
-                         "a standing wave has to be solved for each sample, and beyond its breaking there is none"));
+  list.push_back(seaward_state(seaward, friction));
   list.push_back(distance_state("sliding_0_1", 0.1));
   list.push_back(distance_state("sliding_0_3", 0.3));
   list.push_back(distance_state("sliding_1_0", 1.0));

@@ -141,6 +141,8 @@ MethodAnswer sampled(const std::string& method, const OT::ProbabilitySimulationR
 
 constexpr int block = 1000;
 
+constexpr double least_probability = 1e-12;  // below which subset sampling ends
+
 OT::UnsignedInteger blocks(int samples) {
   return static_cast<OT::UnsignedInteger>(std::max(samples / block, 1));
 }
@@ -212,8 +214,12 @@ MethodAnswer by_subset(const Margin& margin, std::size_t size, const Sampling& s
   OT::SubsetSampling algorithm(event.event);
   algorithm.setBlockSize(block);
   algorithm.setMaximumOuterSampling(blocks(sampling.samples));
-  algorithm.setMinimumProbability(1e-12);
-  algorithm.run();
+  algorithm.setMinimumProbability(least_probability);
+  try {
+    algorithm.run();
+  } catch (const OT::Exception&) {  // as run() tells it
+    return no_answer("subset", "its probability is below " + significant(least_probability, 1), *event.calls);
+  }
   return sampled("subset", algorithm.getResult(), *event.calls);
 }
 

@@ -45,10 +45,10 @@ struct Sampling {
 };
 
 /// Steps of Abdo and Rackwitz (1990) along the gradient, then COBYLA (Powell 1994), which needs none, where these find
-/// nothing. A point counts where g vanishes at it and u* is normal to g = 0 (Hasofer and Lindt 1974).
+/// nothing. A point counts where g vanishes at it and u* is normal to g = 0 (Hasofer and Lind 1974).
 DesignPointSearch find_design_point(const Margin& margin, std::size_t size);
 
-/// Phi(-beta): g as flat at u* (Hasofer and Lindt 1974; Rackwitz and Fiessler 1978).
+/// Phi(-beta): g as flat at u* (Hasofer and Lind 1974; Rackwitz and Fiessler 1978).
 MethodAnswer by_form(const DesignPointSearch& found);
 /// Breitung (1984): with the curvatures of g = 0 at u*.
 MethodAnswer by_sorm(const Margin& margin, const DesignPointSearch& found);

@@ -80,8 +80,8 @@ std::string codes_table(const ReliabilityAnswer& answer) {
                              : "FAILS"});
     if (!row.why_not.empty() && none.find(row.why_not) == std::string::npos) none += row.why_not + "\n";
   }
-  return "\nDemands of codes, side by side (targets but that of 1998 are assumed: known from memory, give your own)\n" +
-         columns(rows) + none;
+  return "\nDemands of codes, side by side (all targets but that of 1998 are assumed, from memory)\n" + columns(rows) +
+         none;
 }
 
 std::string reasons(const ReliabilityAnswer& answer) {

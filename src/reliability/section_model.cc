@@ -42,6 +42,8 @@ SectionPoint SectionModel::at(const std::vector<double>& x) {
   out.pressure.uplift_moment *= factor("uplift");
   out.load = sliding_load(out.section, tables_.water, out.pressure, wave.height, wave.period, tables_.duration);
   out.limits = tables_.limits;
+  out.height = wave.height;
+  out.force_factor = factor("force");
   out.sliding_factor = factor("sliding");
   return out;
 }

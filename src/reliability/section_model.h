@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "design/design_tables.h"
+#include "reliability/seaward.h"
 #include "upbead/expected/sliding_law.h"
 
 namespace upbead {
@@ -16,6 +17,8 @@ struct SectionPoint {
   WavePressure pressure;  ///< with the factors of P and U
   SlidingLoad load;
   Limits limits;
+  double height = 0.;          ///< H (m)
+  double force_factor = 1.;    ///< of P
   double sliding_factor = 1.;  ///< of S
 };
 
@@ -52,6 +55,6 @@ double sliding_margin(const SectionPoint& at, double limit);
 
 /// Sliding and overturning, S and p_e beyond [limits]; then S beyond 0.1, 0.3 and 1.0 m of codes. `at`: the section
 /// where all is certain.
-std::vector<SectionLimitState> section_limit_states(const SectionPoint& at);
+std::vector<SectionLimitState> section_limit_states(const SectionPoint& at, const SeawardForce& seaward);
 
 }  // namespace upbead
