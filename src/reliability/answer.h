@@ -13,6 +13,9 @@ namespace upbead {
 
 struct OutputRow;
 
+/// Two methods that differ by more than this in beta disagree.
+constexpr double most_spread = 0.1;
+
 /// A probability and its beta; none where the probability is 0 or 1, or not known.
 struct Chance {
   std::optional<double> probability, index;
@@ -36,6 +39,7 @@ struct ModeAnswer {
   std::vector<MethodAnswer> methods;  ///< those asked for
   std::string governing;              ///< the method with the least beta; "": none has an answer
   Chance occasion, year, life;        ///< by that method
+  std::optional<double> spread;       ///< largest difference of beta between two methods
   std::string disagreement;           ///< of two methods by more than 0.1 in beta; "" where they agree
   std::vector<DesignValue> point;     ///< empty where none was found
 };

@@ -52,6 +52,7 @@ OutputSchema<ModeAnswer> mode_outputs() {
       .object("occasion", &M::occasion, chance, "one occasion")
       .object("year", &M::year, chance, "any of the occasions of a year")
       .object("life", &M::life, chance, "any of the occasions of a life")
+      .key("spread", &M::spread, "", "largest difference of the index between two methods")
       .reason("disagreement", &M::disagreement, "methods that differ by more than 0.1 in their index")
       .named("methods.METHOD", &M::methods, &MethodAnswer::method, method_outputs(), "each method asked for")
       .named("design_point.VARIABLE", &M::point, &DesignValue::variable, value_outputs(),

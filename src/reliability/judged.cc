@@ -10,9 +10,6 @@ namespace upbead {
 
 namespace {
 
-/// Two methods that differ by more than this in beta disagree.
-constexpr double most_spread = 0.1;
-
 Chance chance_of(double probability) {
   return {probability, index_of(probability)};
 }
@@ -44,7 +41,8 @@ ModeAnswer judged(ModeAnswer mode, double occasions, double years) {
   mode.occasion = {worst->probability, worst->index};
   mode.year = chance_of(of_occasions(*worst->probability, occasions));
   mode.life = chance_of(of_occasions(*worst->probability, occasions * years));
-  if (*best->index - *worst->index > most_spread)
+  mode.spread = *best->index - *worst->index;
+  if (*mode.spread > most_spread)
     mode.disagreement = "beta by " + text_of(*worst) + ", by " + text_of(*best) + ": both stand, and the worse governs";
   return mode;
 }

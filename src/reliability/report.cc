@@ -97,6 +97,36 @@ std::string reasons(const ReliabilityAnswer& answer) {
 
 constexpr double most_variation = 0.3;
 
+NumberedWarnings few_samples(const ReliabilityAnswer& answer) {
+  NumberedWarnings list;
+  for (const ModeAnswer& mode : answer.modes)
+    for (const MethodAnswer& method : mode.methods)
+      if (method.variation.value_or(0.) > most_variation)
+        list.push_back({"too_few_samples", *method.variation, most_variation, "1",
+                        mode.name + ": the probability by " + method.method + " has a coefficient of variation of " +
+                            significant(*method.variation, 2),
+                        "raise reliability.samples or plain_samples"});
+  return list;
+}
+
+/// One warning for all modes, with the largest difference.
+NumberedWarnings disagreements(const ReliabilityAnswer& answer) {
+  double worst = 0.;
+  std::string text;
+  std::vector<std::string> modes;
+  for (const ModeAnswer& mode : answer.modes) {
+    if (mode.disagreement.empty()) continue;
+    modes.push_back(mode.name);
+    if (*mode.spread <= worst) continue;
+    worst = *mode.spread;
+    text = mode.name + ": " + mode.disagreement;
+  }
+  if (modes.empty()) return {};
+  return {{"methods_disagree", worst, most_spread, "1",
+           text + (modes.size() > 1 ? " (likewise other modes of " + join(modes) + ")" : ""),
+           "look at which methods agree, take more samples, or let \"plain\" judge where failure is not too rare"}};
+}
+
 }  // namespace
 
 std::string describe(const Design& design, const ReliabilityAnswer& answer) {
@@ -127,22 +157,8 @@ Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
 
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
-  for (const ModeAnswer& mode : answer.modes) {
-    std::optional<double> least, largest;
-    for (const MethodAnswer& method : mode.methods) {
-      if (!method.index) continue;
-      least = std::min(least.value_or(*method.index), *method.index);
-      largest = std::max(largest.value_or(*method.index), *method.index);
-      if (method.variation.value_or(0.) > most_variation)
-        list.push_back({"too_few_samples", *method.variation, most_variation, "1",
-                        mode.name + ": the probability by " + method.method + " has a coefficient of variation of " +
-                            significant(*method.variation, 2),
-                        "raise reliability.samples or plain_samples"});
-    }
-    if (!mode.disagreement.empty())
-      list.push_back({"methods_disagree", *largest - *least, 0.1, "1", mode.name + ": " + mode.disagreement,
-                      "let plain sampling judge: add \"plain\" to reliability.methods"});
-  }
+  append(list, few_samples(answer));
+  append(list, disagreements(answer));
   return list;
 }
 

@@ -21,8 +21,9 @@ bool all_found(const std::vector<DesignPointSearch>& events, const std::vector<s
   return std::all_of(set.begin(), set.end(), [&](std::size_t i) { return events[i].point.has_value(); });
 }
 
-/// Equal limit states would make R singular.
-constexpr double nearly_one = 1. - 1e-9;
+/// R is singular where limit states are equal, or more than there are variables: a millionth less between all of them
+/// makes it positive, and moves beta by less than 1e-3.
+constexpr double nearly_one = 1. - 1e-6;
 
 /// That all events of a set fail: Phi_n(-beta; R).
 double intersection(const std::vector<DesignPointSearch>& events, const std::vector<std::size_t>& set) {
@@ -32,8 +33,7 @@ double intersection(const std::vector<DesignPointSearch>& events, const std::vec
   for (std::size_t i = 0; i < set.size(); ++i) {
     const DesignPoint& a = *events[set[i]].point;
     beta[i] = -a.index;
-    for (std::size_t k = 0; k < i; ++k)
-      R(i, k) = std::clamp(dot_of(a.alpha, events[set[k]].point->alpha), -nearly_one, nearly_one);
+    for (std::size_t k = 0; k < i; ++k) R(i, k) = nearly_one * dot_of(a.alpha, events[set[k]].point->alpha);
   }
   return OT::Normal(OT::Point(set.size()), OT::Point(set.size(), 1.), R).computeCDF(beta);
 }

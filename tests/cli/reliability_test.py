@@ -15,10 +15,10 @@ QUICK = ["--set", "reliability.samples=2000"]
 
 
 class Reliability(ProgramTest):
-    def summary(self, *options, design=DESIGN):
-        done = upbead("reliability", design, *options, "--out", "out", cwd=self.folder)
+    def summary(self, *options, design=DESIGN, out="out"):
+        done = upbead("reliability", design, *options, "--out", out, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads((self.folder / "out/summary.json").read_text()), done
+        return json.loads((self.folder / out / "summary.json").read_text()), done
 
     def test_each_way_to_fail_and_the_tree_have_a_row(self):
         found, done = self.summary(*QUICK)
@@ -51,7 +51,7 @@ class Reliability(ProgramTest):
 
     def test_what_it_writes_runs_again(self):
         first = self.summary(*QUICK)[0]["modes"]
-        self.assertEqual(first, self.summary(design=self.folder / "out/case.toml")[0]["modes"])
+        self.assertEqual(first, self.summary(design=self.folder / "out/case.toml", out="again")[0]["modes"])
 
     def test_one_file_may_be_case_and_design(self):
         case = self.folder / "both.toml"

@@ -56,6 +56,16 @@ TEST(System, InParallelIsTheProduct) {
   EXPECT_NEAR(*by_subset(margin_of_parallel, 3, {1, 50000, 1000, 0.01}).index, exact, 0.05);
 }
 
+/// Five states of two variables, two of them equal: those that add nothing change nothing.
+TEST(System, OfMoreStatesThanVariablesHasAForm) {
+  std::vector<DesignPointSearch> events;
+  for (const Values& a :
+       {Values{1., 0., 2.}, Values{0., 1., 2.5}, Values{1., 0., 2.}, Values{0.6, 0.8, 6.}, Values{-1., 0., 7.}})
+    events.push_back(find_design_point([a](const Values& u) { return a[2] - a[0] * u[0] - a[1] * u[1]; }, 2));
+  const double exact = *index_of(1. - (1. - phi(2.)) * (1. - phi(2.5)));
+  EXPECT_NEAR(*by_system_form(events, {{0}, {1}, {2}, {3}, {4}}).index, exact, 1e-3);
+}
+
 TEST(System, WithoutADesignPointOfOneStateHasNoForm) {
   std::vector<DesignPointSearch> events = independent();
   events[1] = {{}, "none"};
