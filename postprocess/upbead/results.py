@@ -46,6 +46,7 @@ def command_of(folder):
     folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else {}
     for command, is_it in (
         ("study", (folder / "study.csv").is_file()),
+        ("reliability", "modes" in summary and "codes" in summary),
         ("waves", isinstance(summary.get("waves"), dict) and "section" in summary),
         ("expected", "expected" in summary),
         ("calibrate", "models" in summary and "given" in summary),
