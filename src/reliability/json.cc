@@ -51,7 +51,9 @@ OutputSchema<ModeAnswer> mode_outputs() {
       .key("governing", &M::governing, "", "method with the least index; empty where none has one")
       .object("occasion", &M::occasion, chance, "one occasion")
       .object("year", &M::year, chance, "any of the occasions of a year")
-      .object("life", &M::life, chance, "any of the occasions of a life")
+      .object(
+          "life", &M::life, chance,
+          "any of the occasions of a life; at most, as they are taken as independent while friction and weight last")
       .key("spread", &M::spread, "", "largest difference of the index between two methods")
       .reason("disagreement", &M::disagreement, "methods that differ by more than 0.1 in their index")
       .named("methods.METHOD", &M::methods, &MethodAnswer::method, method_outputs(), "each method asked for")

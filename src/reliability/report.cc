@@ -135,7 +135,7 @@ std::string describe(const Design& design, const ReliabilityAnswer& answer) {
   text += "wave " + answer.wave + ", " + significant(table.occasions_per_year, 6) + " a year, " +
           significant(table.years, 6) + " years, taken as independent of each other; seed " +
           std::to_string(table.seed) + "\n\nProbability of failure\n";
-  std::vector<TextRow> rows{{"mode", "occasion", "year", "life", "beta", "beta of life", "by"}};
+  std::vector<TextRow> rows{{"mode", "occasion", "year", "life, at most", "beta", "beta of life", "by"}};
   for (const ModeAnswer& mode : answer.modes) rows.push_back(chances_row(mode));
   text += columns(rows) + methods_table(answer) + reasons(answer) + "\nDesign points, where failure is likeliest\n";
   for (const ModeAnswer& mode : answer.modes)
