@@ -59,6 +59,7 @@ struct ReliabilityAnswer {
   std::vector<ModeAnswer> modes;  ///< limit states, then gates of the fault tree
   std::string system;             ///< name of the mode that stands for the whole
   std::vector<CodeRow> codes;
+  NumberedWarnings variables;  ///< what is doubtful in the distributions
 };
 
 /// The mode of that name. Throws std::invalid_argument where there is none.

@@ -34,12 +34,17 @@ StandardSpace space_of(const RandomVariables& random, const Document& document) 
   }
 }
 
+RandomVariables random_of(const DesignTables& tables) {
+  RandomVariables random{{}, complete_variables(tables), {}};
+  for (const auto& [name, variable] : tables.reliability->variables) random.names.push_back(name);
+  for (const auto& [name, correlation] : tables.reliability->correlations) random.correlations.push_back(correlation);
+  return random;
+}
+
 Work work_of(const Design& design) {
   const DesignTables& tables = design.tables;
   const ReliabilityTable& table = *tables.reliability;
-  RandomVariables random{{}, complete_variables(tables), {}};
-  for (const auto& [name, variable] : table.variables) random.names.push_back(name);
-  for (const auto& [name, correlation] : table.correlations) random.correlations.push_back(correlation);
+  const RandomVariables random = random_of(tables);
   return {tables,
           random.names,
           random.list,
@@ -159,6 +164,7 @@ ReliabilityAnswer answer_of(const Design& design) {
   const std::map<std::string, SystemNode> gates = gates_of(table, states);
   ReliabilityAnswer answer;
   answer.wave = random_wave(design.tables);
+  answer.variables = not_positive(random_of(design.tables));
   Progress line("sampling");
   const double all = static_cast<double>(states.size() + gates.size());
   const auto add = [&](ModeAnswer mode) {

@@ -3,6 +3,8 @@
 #include <openturns/OT.hxx>
 #include <stdexcept>
 
+#include "base/text.h"
+
 namespace upbead {
 
 namespace {
@@ -72,6 +74,21 @@ std::vector<double> StandardSpace::physical(const std::vector<double>& u) const 
   std::copy(u.begin(), u.end(), point.begin());
   const OT::Point x = transformation_->physical(point);
   return {x.begin(), x.end()};
+}
+
+NumberedWarnings not_positive(const RandomVariables& variables) {
+  constexpr double low = -4.;  // in standard space
+  NumberedWarnings list;
+  for (std::size_t i = 0; i < variables.list.size(); ++i) {
+    if (variables.list[i].acts_on == "water_level") continue;
+    const double least = StandardSpace({{variables.names[i]}, {variables.list[i]}, {}}).physical({low})[0];
+    if (least <= 0.)
+      list.push_back({"variable_not_positive", least, 0., "1",
+                      "the variable " + variables.names[i] + " falls to " + significant(least, 3) +
+                          " within 4 standard deviations, and " + variables.list[i].acts_on + " is positive",
+                      "cut it by low, or give it another distribution, such as lognormal"});
+  }
+  return list;
 }
 
 }  // namespace upbead

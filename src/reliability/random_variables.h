@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "design/reliability_table.h"
+#include "upbead/base/numbered_warning.h"
 
 namespace upbead {
 
@@ -31,5 +32,9 @@ class StandardSpace {
   std::shared_ptr<const Transformation> transformation_;
   std::size_t size_;
 };
+
+/// Warns of variables that act on what is positive and reach 0 within 4 deviations in standard space (3e-5): formulas
+/// have no meaning there.
+NumberedWarnings not_positive(const RandomVariables& variables);
 
 }  // namespace upbead

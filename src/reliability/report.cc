@@ -157,6 +157,7 @@ Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
 
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
+  append(list, answer.variables);
   append(list, few_samples(answer));
   append(list, disagreements(answer));
   return list;

@@ -174,6 +174,20 @@ TEST(Subset, EndsWithAReasonWhereNothingFails) {
   EXPECT_EQ(answer.why_not, "its probability is below 1e-12");
 }
 
+TEST(Variables, ThatReachZeroAreWarnedOf) {
+  RandomVariables variables = resistance_and_load();  // 10 - 4.8 and 6 - 6.4
+  variables.list[0].acts_on = variables.list[1].acts_on = "force";
+  const NumberedWarnings found = not_positive(variables);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].value, -0.4, 1e-9);
+  EXPECT_THAT(found[0].what, testing::HasSubstr("the variable S falls to -0.4"));
+  variables.list[1].kind = RandomKind::lognormal;
+  EXPECT_TRUE(not_positive(variables).empty());
+  variables.list[1].kind = RandomKind::normal;
+  variables.list[1].acts_on = "water_level";
+  EXPECT_TRUE(not_positive(variables).empty());
+}
+
 TEST(Chance, OfManyOccasionsKeepsTheDigitsOfASmallOne) {
   EXPECT_NEAR(of_occasions(1e-12, 50.), 5e-11, 1e-20);
   EXPECT_NEAR(of_occasions(0.1, 2.), 0.19, 1e-15);
