@@ -53,7 +53,8 @@ def main():
     shutil.rmtree(prefix / "share/man", ignore_errors=True)
     for page in sorted((pages / "man1").glob("*.1")):
         packed(page.read_text(), prefix / "share/man/man1" / (page.name + ".gz"))
-    link(prefix / "share/man/man1/upbead-solver.1.gz", "upbead.1.gz")
+    for program in ("upbead-solver", "upbead-reliability"):
+        link(prefix / "share/man/man1" / (program + ".1.gz"), "upbead.1.gz")
     for command, script in COMMANDS.items():
         link(prefix / "bin" / command, "../share/upbead/postprocess/" + script)
         packed(f'.TH {command.upper()} 1 "" "upbead" "User Commands"\n.SH NAME\n{command} \\- {WHAT[command]}\n'

@@ -3,11 +3,12 @@
 include(CMakePackageConfigHelpers)
 
 # some of PETSc's, MPI's and HDF5's libraries lie in folders of their own
-set_target_properties(upbead upbead-solver PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
-install(TARGETS upbead upbead-solver RUNTIME DESTINATION bin COMPONENT program)
+set_target_properties(upbead upbead-solver upbead-reliability PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
+install(TARGETS upbead upbead-solver upbead-reliability RUNTIME DESTINATION bin COMPONENT program)
 
 # for programs of others
 get_property(layers GLOBAL PROPERTY UPBEAD_LAYERS)
+list(REMOVE_ITEM layers upbead_reliability_methods upbead_cli_reliability)  # else they would have to find OpenTURNS
 set(package lib/cmake/upbead)
 set_target_properties(upbead_options PROPERTIES EXPORT_NAME options)
 install(TARGETS upbead_options ${layers} EXPORT upbeadTargets

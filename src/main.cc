@@ -1,5 +1,5 @@
 // upbead: shear force and sliding of caisson breakwaters under impulsive waves. Commands that mesh or solve are
-// passed to upbead-solver, which lies beside this program.
+// passed to upbead-solver, that which samples to upbead-reliability; both lie beside this program.
 
 #include <unistd.h>
 
@@ -15,8 +15,7 @@
 
 namespace {
 
-bool is_solvers(const std::string& word) {
-  const std::vector<upbead::Command> commands = upbead::solver_commands();
+bool is_among(const std::vector<upbead::Command>& commands, const std::string& word) {
   return std::any_of(commands.begin(), commands.end(), [&word](const auto& command) { return command.name == word; });
 }
 
@@ -39,12 +38,11 @@ void check_case_first(int argc, char** argv) {
   upbead::check_case_of(argc, argv);
 }
 
-/// Replaces this process by the solver, with the same command line.
-[[noreturn]] void become_solver(char** argv) {
-  prefer_large_pages();
-  const std::string solver = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "upbead-solver").string();
-  execv(solver.c_str(), argv);
-  throw upbead::InputError({}, "cannot start '" + solver + "', which meshes and solves", "install upbead again, whole");
+/// Replaces this process by another program beside it, with the same command line.
+[[noreturn]] void become(const std::string& name, const std::string& what_it_does, char** argv) {
+  const std::string program = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+  execv(program.c_str(), argv);
+  throw upbead::InputError({}, "cannot start '" + program + "', which " + what_it_does, "install upbead again, whole");
 }
 
 /// The table that `explain` prints without a solver; "" where the command asks for something else.
@@ -64,12 +62,16 @@ int main(int argc, char** argv) {
       std::cout << text;
       return upbead::printed(0);
     }
-    if (argc > 1 && is_solvers(argv[1])) {
+    if (argc > 1 && is_among(upbead::sampling_commands(), argv[1]))
+      become("upbead-reliability", "samples what is random", argv);
+    if (argc > 1 && is_among(upbead::solver_commands(), argv[1])) {
       check_case_first(argc, argv);
-      become_solver(argv);
+      prefer_large_pages();
+      become("upbead-solver", "meshes and solves", argv);
     }
   } catch (...) {
     return upbead::tell_failure();
   }
-  return upbead::run_program(argc, argv, upbead::solver_commands() + upbead::light_commands());
+  return upbead::run_program(argc, argv,
+                             upbead::solver_commands() + upbead::sampling_commands() + upbead::light_commands());
 }

@@ -87,14 +87,15 @@ def known():
 def command_of(path):
     """The command that reads the file."""
     case = tomllib.loads(path.read_text(encoding="utf-8"))
-    for key, command in (("mesh", "run"), ("calibration", "calibrate"), ("sea", "expected"), ("section", "waves"), ("vary", "study")):
+    for key, command in (("mesh", "run"), ("reliability", "reliability"), ("calibration", "calibrate"), ("sea", "expected"), ("section", "waves"), ("vary", "study")):
         if key in case:
             return command
     return "run"
 
 
 DRAW = {"run": response, "study": study, "waves": figures.wave_pressure, "expected": figures.expected,
-        "calibrate": lambda results: figures.calibration(results[0])}
+        "calibrate": lambda results: figures.calibration(results[0]),
+        "reliability": lambda results: figures.reliability(results[0])}
 
 
 def entries(cases=ROOT / "cases"):

@@ -96,6 +96,12 @@ def of_calibrate(summaries):
     return rows
 
 
+def of_reliability(summaries):
+    """Probability in a life and beta of an occasion, for each way to fail."""
+    return [[name, *(f"{number(mode['life']['probability'])}, {number(mode['occasion']['index'])}"
+                     for mode in (summary["modes"][name] for summary in summaries))] for name in summaries[0]["modes"]]
+
+
 def fit_text(fit):
     if fit["a"] is None:
         return "-"
@@ -134,7 +140,8 @@ def table(command, opened):
     if command == "study":
         return of_study(opened)
     summaries = [result if isinstance(result, dict) else result.summary for result in opened]
-    return {"run": of_run, "waves": of_waves, "expected": of_expected, "calibrate": of_calibrate}[command](summaries)
+    return {"run": of_run, "waves": of_waves, "expected": of_expected, "calibrate": of_calibrate,
+            "reliability": of_reliability}[command](summaries)
 
 
 def heads(command, cases, opened):
@@ -145,4 +152,6 @@ def heads(command, cases, opened):
                 for name in ends(list(result["waves"]))]
     if command == "calibrate":
         return list(opened[0].models)
+    if command == "reliability":
+        return ["probability in a life, beta of an occasion"]
     return stems if len(stems) > 1 else [""]

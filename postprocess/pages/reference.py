@@ -6,7 +6,7 @@ from upbead.program import call
 
 PAGES = {  # page: commands that print the same keys
     "case.md": ["explain"],
-    "design.md": ["waves", "expected", "calibrate"],
+    "design.md": ["waves", "expected", "calibrate", "reliability"],
     "study.md": ["study"],
 }
 

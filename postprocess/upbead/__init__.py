@@ -10,7 +10,7 @@ docs/python.md is a tutorial.
 import importlib
 
 from . import msh
-from .commands import calibrate, expected, reduce, run, study, waves
+from .commands import calibrate, expected, reduce, reliability, run, study, waves
 from .cfd import read_cfd
 from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
 from .fit import fit
@@ -25,7 +25,7 @@ from .slip_result import SlipResult
 from .study_table import StudyTable
 
 __all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "run",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "run",
            "study", "waves"]
 
 

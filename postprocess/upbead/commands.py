@@ -50,6 +50,11 @@ def expected(design, set=None, out=None, program=None):
     return open_result(written("expected", design, set, out, program, "-expected"))
 
 
+def reliability(design, set=None, out=None, program=None):
+    """Probabilities of failure: `upbead reliability`. Returns its summary as a dict."""
+    return open_result(written("reliability", design, set, out, program, "-reliability"))
+
+
 def calibrate(design, set=None, out=None, program=None):
     """k(alpha*) from the caisson's own dynamics: `upbead calibrate`. Returns its CalibrationResult."""
     return open_result(written("calibrate", design, set, out, program, "-calibration"))

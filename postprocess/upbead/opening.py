@@ -8,7 +8,8 @@ from .errors import UserError
 from .expected_result import ExpectedResult
 from .h5 import open_h5
 from .reduced_model import ReducedModel
-from .results import Result, command_of
+from .results import Result, command_of, read_summary
+from .sheet_result import read_sheet
 from .slip_result import SlipResult
 from .study_table import StudyTable
 from .waves_result import read_waves
@@ -18,13 +19,15 @@ def open_result(folder):
     """The results of a command in a folder.
 
     `run`: a Result, or a SlipResult if the bottom slipped or lifted; `study`: a StudyTable; `expected`: an
-    ExpectedResult; `calibrate`: a CalibrationResult; `waves`: its summary, a dict. Raises UserError if the folder has
+    ExpectedResult; `calibrate`: a CalibrationResult; `waves`, `sheet` and `reliability`: its summary, a
+    dict. Raises UserError if the folder has
     none of these.
     """
     folder = Path(folder)
     if not folder.is_dir():
         raise UserError(f"there is no folder '{folder}'")
-    opened = {"study": StudyTable, "waves": read_waves, "expected": ExpectedResult, "calibrate": CalibrationResult}.get(command_of(folder))
+    opened = {"study": StudyTable, "waves": read_waves, "reliability": read_summary, "expected": ExpectedResult,
+              "calibrate": CalibrationResult, "sheet": read_sheet}.get(command_of(folder))
     if opened:
         return opened(folder)
     return SlipResult(folder) if slips(folder / "results.h5") else Result(folder)

@@ -45,7 +45,9 @@ def command_of(folder):
     """The command of the program that wrote the results of a folder, or None."""
     folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else {}
     for command, is_it in (
+        ("sheet", "parts" in summary),
         ("study", (folder / "study.csv").is_file()),
+        ("reliability", "modes" in summary and "codes" in summary),
         ("waves", isinstance(summary.get("waves"), dict) and "section" in summary),
         ("expected", "expected" in summary),
         ("calibrate", "models" in summary and "given" in summary),

@@ -5,7 +5,9 @@ from math import inf
 
 
 def objects(found, path=()):
-    """(path, object) of a summary and of all that is in it."""
+    """(path, object) of a summary and of all that is in it. A sheet has the checks and warnings of its parts."""
+    if not path and isinstance(found, dict) and "parts" in found:
+        found = {key: found.get(key) for key in ("verdict", "checks", "warnings")}
     if isinstance(found, dict):
         yield path, found
         for key, value in found.items():

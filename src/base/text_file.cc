@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace upbead {
 
-std::string read_text(const std::string& path, std::uintmax_t most, const Place& place, std::uintmax_t enough) {
+std::string read_text(const std::string& path, std::uintmax_t most, const Place& place) {
   require_readable(path, most, place);
   // gzread passes on the bytes of a file that is not packed
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
@@ -23,8 +23,7 @@ std::string read_text(const std::string& path, std::uintmax_t most, const Place&
   gzbuffer(file.get(), piece);
   std::string text;
   std::error_code ignored;
-  if (const std::uintmax_t size = std::filesystem::file_size(path, ignored); !ignored)
-    text.reserve(std::min(size, enough) + piece);
+  if (const std::uintmax_t size = std::filesystem::file_size(path, ignored); !ignored) text.reserve(size + piece);
   while (true) {
     const std::size_t before = text.size();
     text.resize(before + piece);
@@ -43,7 +42,7 @@ std::string read_text(const std::string& path, std::uintmax_t most, const Place&
                        quoted_path(path) + " unpacks to more than " + std::to_string(most_unpacked) +
                            " times its size: so much alike is no record",
                        "is it the right file? else unpack it before");
-    if (n == 0 || text.size() >= enough) return text;
+    if (n == 0) return text;
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "upbead/base/error.h"
@@ -17,8 +16,6 @@ void require_readable(const std::string& path, std::uintmax_t most, const Place&
 /// The whole text. Throws InputError at `place` as require_readable does, and where a packed file is damaged, holds
 /// more than `most` bytes once it is unpacked, or more than 64 MB that are 100 times its size. It stops unpacking
 /// there, to save time and memory.
-/// `enough`: only about so many bytes of its beginning are wanted.
-std::string read_text(const std::string& path, std::uintmax_t most, const Place& place,
-                      std::uintmax_t enough = std::numeric_limits<std::uintmax_t>::max());
+std::string read_text(const std::string& path, std::uintmax_t most, const Place& place);
 
 }  // namespace upbead

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/numbers.h"
+
 namespace upbead {
 
 TimeFunction::TimeFunction() : pieces_{[](double) { return 0.; }} {}
@@ -127,6 +129,27 @@ TimeFunction scaled(const TimeFunction& f, double scale) {
   for (std::size_t i = 0; i <= f.kinks().size(); ++i)
     pieces.push_back([scale, p = f.piece(inside_piece(f.kinks(), i))](double t) { return scale * p(t); });
   return TimeFunction(f.kinks(), std::move(pieces), f.samples());
+}
+
+TimeFunction repeated(const TimeFunction& f, int n, double period) {
+  const std::vector<double>& own = f.kinks();
+  if (own.size() < 2 || own.back() - own.front() > period)
+    throw std::invalid_argument("a function that lasts longer than a period cannot be repeated");
+  std::vector<double> kinks, samples;
+  std::vector<TimeFunction::Piece> pieces{f.piece(inside_piece(own, 0))};
+  for (int k = 0; k < n; ++k) {
+    const double late = k * period;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const double low = own[i], high = i + 1 < own.size() ? own[i + 1] : infinity;
+      kinks.push_back(kinks.empty() ? low + late : std::max(low + late, kinks.back()));
+      // round-off of a late time must not leave the piece
+      pieces.push_back([p = f.piece(inside_piece(own, i + 1)), late, low, high](double t) {
+        return p(std::clamp(t - late, low, high));
+      });
+    }
+    for (const double t : f.samples()) samples.push_back(t + late);
+  }
+  return TimeFunction(std::move(kinks), std::move(pieces), std::move(samples));
 }
 
 namespace {

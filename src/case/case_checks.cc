@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -320,12 +321,27 @@ void check_section_of(const SlidingTable& sliding, const CaseTables& tables, con
   check_same("weight", sliding.weight, tables.section->weight, wrong);
 }
 
+/// Sea and harbour of the section stand as those of [initial] do.
+void check_levels_of(const Section& section, const CaseTables& tables, const TableDiagnostics& wrong) {
+  constexpr double same_level = 1e-3;  // m
+  const auto& initial = tables.initial;
+  const bool given = initial && initial->water_level && initial->harbour_level;
+  const double rise = given ? *initial->harbour_level - *initial->water_level : 0.;
+  if (std::abs(rise - section.harbour_level) > same_level)
+    wrong.add("harbour_level",
+              "harbour_level = " + number_text(section.harbour_level) +
+                  " m above the sea, but in [initial] the harbour " +
+                  (given ? "stands " + number_text(rise) + " m above it" : "has no level of its own"),
+              "give the same in both: initial.harbour_level = initial.water_level + section.harbour_level");
+}
+
 }  // namespace
 
 void check_section(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!tables.section || !report.sound("section")) return;
   const TableDiagnostics wrong("section", document, report);
   wrong.add(diagnose(*tables.section));
+  check_levels_of(*tables.section, tables, wrong);
   if (!report.sound("regions") || !has_frictional_contact(tables)) return;
   const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
   if (mu && *mu != tables.section->friction)

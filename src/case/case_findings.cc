@@ -51,12 +51,6 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   return list;
 }
 
-std::vector<Skipped> left_out_of(const RecordNotes& notes) {
-  std::vector<Skipped> list;
-  for (const LeftOut& part : notes.left_out) list.push_back({part.what, part.why});
-  return list;
-}
-
 OutputSchema<MeasuredSummary> measured_outputs() {
   using M = MeasuredSummary;
   using C = Comparison;
@@ -114,7 +108,7 @@ Finding files_finding(const Case* input) {
   f.of_scene = [input](const Simulation& simulation, const std::optional<double>&) {
     return warnings_of_files(*input, simulation, record_notes(*input));
   };
-  f.skipped_of_scene = [input](const Simulation&, bool) { return left_out_of(record_notes(*input)); };
+  f.skipped_of_scene = [input](const Simulation&, bool) { return record_notes(*input).left_out; };
   return f;
 }
 
@@ -134,7 +128,7 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
   };
   f.skipped = [records](const Evidence&, const Summary&) {
     SkippedList list;
-    for (const MeasuredRecord& record : *records) append(list, left_out_of(record.notes));
+    for (const MeasuredRecord& record : *records) append(list, record.notes.left_out);
     return list;
   };
   return f;
@@ -229,6 +223,11 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .object("standing", inner(&W::standing, &StandingResult::answer), standing_outputs(),
               "the standing wave of finite height before the wall; null where there is none")
       .key("why_no_standing", inner(&W::standing, &StandingResult::why_not), "", "why; empty where there is one")
+      .object("trough_bound", inner(&W::standing, &StandingResult::bound), trough_bound_outputs(),
+              "a bound of the trough, after Sainflou (1928), where there is none; null where there is one")
+      .object("impact", &W::impact, impact_outputs(),
+              "by PROVERBS, without the load's factor; null unless `force = \"proverbs\"`")
+      .key("direction", &W::direction, "degrees", "from which it comes, from north; null where `angle` is given")
       .key("assumptions[]", &W::assumptions, "", "what the load rests on, in words");
 }
 

@@ -20,19 +20,33 @@ Scene scene_on(const Case& input, const Mesh& mesh) {
   return scene;
 }
 
-}  // namespace
-
-Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
-                         std::shared_ptr<const Processes> processes) {
+/// `make` makes it of the case's scene on its mesh.
+template <class Make>
+Simulation checked(const Case& input, std::shared_ptr<const Mesh> mesh, const Make& make) {
   return in_places_of(input, [&] {
     check_size(input.scene);
     const Stopwatch watch;
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
-    Scene scene = scene_on(input, *mesh);
-    const Simulation simulation(std::move(scene), std::move(mesh), std::move(processes));
+    const Simulation simulation = make(scene_on(input, *mesh), mesh);
     check_waves(input, simulation);
     return simulation.with([&](auto& parts) { parts.timing.mesh += seconds; });
+  });
+}
+
+}  // namespace
+
+Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
+                         std::shared_ptr<const Processes> processes) {
+  return checked(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
+    return Simulation(std::move(scene), on, processes);
+  });
+}
+
+Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh) {
+  if (before == nullptr) return simulation_of(input, std::move(mesh));
+  return checked(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
+    return Simulation(std::move(scene), on, *before);
   });
 }
 

@@ -33,6 +33,9 @@ std::shared_ptr<const Mesh> settle_end(Case& input);
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
                          std::shared_ptr<const Processes> processes = nullptr);
 
+/// The same on one process, after another simulation, see Simulation.
+Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh);
+
 /// The measured records with which the results are compared. Throws InputError with every mistake in them.
 std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& simulation);
 
@@ -41,8 +44,8 @@ std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& si
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           const RunOptions& options = {});
 
-/// The same of a case whose scene was solved before, or of one that differs from it in [sliding] alone and is solved
-/// alike (needs_sliding()).
+/// The same of a case whose scene was solved before, or of one that is solved alike and differs from it in what is only
+/// told: [sliding] (but see needs_sliding()), limits but that of safety, title and report.
 Run answer(const Case& input, const Solution& solution, const std::function<void(double)>& progress);
 
 /// Warnings of the scene and of the case's files.

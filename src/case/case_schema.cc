@@ -12,86 +12,83 @@ const Words<AccuracyOf> accuracy_of_words{{"peak", AccuracyOf::peak}, {"history"
 
 TableSchema<MeshChoice> mesh_schema() {
   TableSchema<MeshChoice> table;
-  table.key("geometry", &MeshChoice::geometry).doc("name of a shipped geometry; or file");
-  table.key("file", &MeshChoice::file).doc("path of a .geo or .msh (2.2 or 4.1) file of gmsh with named groups");
-  table.key("parameters", &MeshChoice::parameters)
-      .doc("values of the .geo's own parameters (DefineConstant) by name; the geometry's own where not given");
-  table.key("refine", &MeshChoice::refine)
+  table.key("geometry", &MeshChoice::geometry, "", "name of a shipped geometry; or file");
+  table.key("file", &MeshChoice::file, "", "path of a .geo or .msh (2.2 or 4.1) file of gmsh with named groups");
+  table.key("parameters", &MeshChoice::parameters, "",
+            "values of the .geo's own parameters (DefineConstant) by name; the geometry's own where not given");
+  table
+      .key("refine", &MeshChoice::refine, "",
+           "number of uniform refinements; auto: cells are split until the error that they make in F_T is below the "
+           "tolerance")
       .range(from_to(0., 6.))
-      .or_word("auto")
-      .doc(
-          "number of uniform refinements; auto: cells are split until the error that they make in F_T is below the "
-          "tolerance");
-  table.key("degree", &MeshChoice::degree)
-      .range(from_to(2., 3.))
-      .doc("polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto");
-  table.key("full_domain", &MeshChoice::full_domain)
-      .formerly("keep_unreached")
-      .doc("true: solve also where no wave could come from the loads and be read of before the end");
+      .or_word("auto");
+  table
+      .key("degree", &MeshChoice::degree, "",
+           "polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto")
+      .range(from_to(2., 3.));
+  table
+      .key("full_domain", &MeshChoice::full_domain, "",
+           "true: solve also where no wave could come from the loads and be read of before the end")
+      .formerly("keep_unreached");
   return table;
 }
 
 TableSchema<Boundary> boundary_schema() {
   TableSchema<Boundary> table;
-  table.choice("displacement", &Boundary::displacement, displacement_words)
-      .doc(
-          "condition on the displacement; roller: no normal motion; absorbing: waves leave; plate: a rigid smooth "
-          "plate "
-          "lies on a straight side, which shifts along its normal as a whole; level: the side of level ground without "
-          "end, which under a base that is shaken horizontally has no vertical motion, vertically no horizontal one, "
-          "and "
-          "in both directions moves as the other level side");
-  table.choice("pressure", &Boundary::pressure, pressure_words)
-      .doc(
-          "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity waves "
-          "on a "
-          "level of free water; needed where the boundary meets water");
-  table.key("spring", &Boundary::spring)
-      .unit("Pa/m")
+  table.choice("displacement", &Boundary::displacement, displacement_words,
+               "condition on the displacement; roller: no normal motion; absorbing: waves leave; plate: a rigid smooth "
+               "plate lies on a straight side, which shifts along its normal as a whole; level: the side of level "
+               "ground without end, which under a base that is shaken horizontally has no vertical motion, vertically "
+               "no horizontal one, and in both directions moves as the other level side");
+  table.choice("pressure", &Boundary::pressure, pressure_words,
+               "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity "
+               "waves on a level of free water; needed where the boundary meets water");
+  table.key("spring", &Boundary::spring, "Pa/m", "stress per displacement along the normal and along the tangent")
       .range(at_least(0.))
-      .fallback("none")
-      .doc("stress per displacement along the normal and along the tangent");
-  table.key("dashpot", &Boundary::dashpot)
-      .unit("Pa s/m")
+      .fallback("none");
+  table
+      .key("dashpot", &Boundary::dashpot, "Pa s/m",
+           "stress per velocity along the normal and along the tangent; takes energy as an absorbing side does")
       .range(at_least(0.))
-      .fallback("none")
-      .doc("stress per velocity along the normal and along the tangent; takes energy as an absorbing side does");
+      .fallback("none");
   return table;
 }
 
 TableSchema<Surcharge> surcharge_schema() {
   TableSchema<Surcharge> table;
-  table.key("boundary", &Surcharge::boundary).required().doc("curve of the ground's surface that it lies on");
-  table.key("weight", &Surcharge::weight)
-      .unit("Pa")
+  table.key("boundary", &Surcharge::boundary, "", "curve of the ground's surface that it lies on").required();
+  table
+      .key("weight", &Surcharge::weight, "Pa",
+           "its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity")
       .range(above(0.))
-      .required()
-      .doc("its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity");
-  table.key("from", &Surcharge::from).unit("m").fallback("the curve's end").doc("x of its seaward end");
-  table.key("to", &Surcharge::to).unit("m").fallback("the curve's end").doc("x of its landward end");
+      .required();
+  table.key("from", &Surcharge::from, "m", "x of its seaward end").fallback("the curve's end");
+  table.key("to", &Surcharge::to, "m", "x of its landward end").fallback("the curve's end");
   return table;
 }
 
 TableSchema<InitialState> initial_schema() {
   TableSchema<InitialState> table;
-  table.key("water_level", &InitialState::water_level)
-      .unit("m")
-      .fallback("the top of the regions of water")
-      .doc("height y of still water");
-  table.key("k0", &InitialState::k0)
+  table.key("water_level", &InitialState::water_level, "m", "height y of still water")
+      .fallback("the top of the regions of water");
+  table
+      .key("harbour_level", &InitialState::harbour_level, "m",
+           "height y of still water behind the caisson, where water_level is that of the sea: their push, and the "
+           "pressure under the base that falls from one to the other, then are in the stresses at rest, W', the "
+           "margins and S")
+      .fallback("one level");
+  table.key("k0", &InitialState::k0, "", "ratio K_0 of horizontal to vertical effective stress")
       .range(between(0., 5.))
-      .fallback("from the elastic solution")
-      .doc("ratio K_0 of horizontal to vertical effective stress");
-  table.choice("start", &InitialState::start, rest_start_words)
-      .doc(
-          "what hysteretic soil bears of the stress at rest by its overlay; k0: that of level ground; virgin: nothing; "
-          "gravity: all of it, as if it had been loaded at once. Nobody knows it: the other two are bounds");
-  table.key("bounds", &InitialState::bounds)
-      .doc("whether hysteretic soil is solved from the other two starts, too, which takes three times as long");
-  table.key("safety", &InitialState::safety)
-      .doc(
-          "whether it is sought by which factor c', tan phi' and tan psi' of all soils may fall before they fail at "
-          "rest, under the weights alone");
+      .fallback("from the elastic solution");
+  table.choice(
+      "start", &InitialState::start, rest_start_words,
+      "what hysteretic soil bears of the stress at rest by its overlay; k0: that of level ground; virgin: nothing; "
+      "gravity: all of it, as if it had been loaded at once. Nobody knows it: the other two are bounds");
+  table.key("bounds", &InitialState::bounds, "",
+            "whether hysteretic soil is solved from the other two starts, too, which takes three times as long");
+  table.key("safety", &InitialState::safety, "",
+            "whether it is sought by which factor c', tan phi' and tan psi' of all soils may fall before they fail at "
+            "rest, under the weights alone");
   table.tables("surcharge", &InitialState::surcharge, surcharge_schema())
       .doc(
           "What lies on the ground, by name: foot-protection blocks, armour. It presses on the ground at rest "
@@ -102,83 +99,69 @@ TableSchema<InitialState> initial_schema() {
 
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
-  table.key("end", &TimeChoice::end)
-      .unit("s")
+  table.key("end", &TimeChoice::end, "s", "end of the computed time")
       .range(above(0.))
-      .fallback("when the loads and the section's answer to them are over; explain tells it")
-      .doc("end of the computed time");
-  table.key("step", &TimeChoice::step)
-      .unit("s")
+      .fallback("when the loads and the section's answer to them are over; explain tells it");
+  table.key("step", &TimeChoice::step, "s", "time step; auto: chosen from the loads and the tolerance")
       .range(above(0.))
-      .or_word("auto")
-      .doc("time step; auto: chosen from the loads and the tolerance");
-  table.choice("scheme", &TimeChoice::scheme, time_scheme_words)
-      .doc(
-          "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a "
-          "march");
-  table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
-  table.key("growth", &TimeChoice::growth)
-      .range(from_to(1., 10.))
-      .doc(
-          "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "
-          "to a "
-          "50th of end; 1: equal steps");
-  table.key("stop_at_energy", &TimeChoice::stop_at_energy)
+      .or_word("auto");
+  table.choice(
+      "scheme", &TimeChoice::scheme, time_scheme_words,
+      "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a march");
+  table.key("inertia", &TimeChoice::inertia, "", "whether inertia counts; false: quasi-static (consolidation)");
+  table
+      .key("growth", &TimeChoice::growth, "",
+           "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "
+           "to a 50th of end; 1: equal steps")
+      .range(from_to(1., 10.));
+  table
+      .key("stop_at_energy", &TimeChoice::stop_at_energy, "",
+           "share of the largest energy; the run stops once the loads are over and the energy has fallen below it")
       .range(between(0., 1.))
-      .fallback("never before end")
-      .doc("share of the largest energy; the run stops once the loads are over and the energy has fallen below it");
+      .fallback("never before end");
   return table;
 }
 
 TableSchema<Probe> probe_schema() {
   TableSchema<Probe> table;
-  table.key("at", &Probe::at).unit("m").required().doc("point (x, y) to read");
+  table.key("at", &Probe::at, "m", "point (x, y) to read").required();
   return table;
 }
 
 TableSchema<CaseTables> accuracy_schema() {
   TableSchema<CaseTables> table;
-  table.key("tolerance", &CaseTables::tolerance)
-      .range(between(0., 1.))
-      .doc("error allowed in the shear force F_T, over its largest; sets what is auto");
-  table.choice("of", &CaseTables::accuracy_of, accuracy_of_words)
-      .doc(
-          "what of F_T the tolerance makes the mesh for, where refine is auto: history: F_T at every time, and so its "
-          "peak; "
-          "peak: that alone, on fewer cells");
-  table.key("estimate", &CaseTables::accuracy_estimate)
-      .doc(
-          "true: estimate the errors of F_T and S where refine is a number, too: solves once more on cells half as "
-          "large");
+  table
+      .key("tolerance", &CaseTables::tolerance, "",
+           "error allowed in the shear force F_T, over its largest; sets what is auto")
+      .range(between(0., 1.));
+  table.choice("of", &CaseTables::accuracy_of, accuracy_of_words,
+               "what of F_T the tolerance makes the mesh for, where refine is auto: history: F_T at every time, and so "
+               "its peak; peak: that alone, on fewer cells");
+  table.key(
+      "estimate", &CaseTables::accuracy_estimate, "",
+      "true: estimate the errors of F_T and S where refine is a number, too: solves once more on cells half as large");
   return table;
 }
 
 TableSchema<CaseTables> output_schema() {
   TableSchema<CaseTables> fields;
-  fields.key("every", &CaseTables::fields_every)
-      .unit("s")
-      .range(above(0.))
-      .required()
-      .doc("time between two written fields");
+  fields.key("every", &CaseTables::fields_every, "s", "time between two written fields").range(above(0.)).required();
   TableSchema<CaseTables> table;
   table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
-  table.key("base", &CaseTables::base_stress)
-      .doc("true: stress and pore pressure along the caisson's bottom over time, in /base of results.h5");
-  table.key("times", &CaseTables::output_times)
-      .unit("s")
+  table.key("base", &CaseTables::base_stress, "",
+            "true: stress and pore pressure along the caisson's bottom over time, in /base of results.h5");
+  table
+      .key("times", &CaseTables::output_times, "s",
+           "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "
+           "are written; the steps meet them")
       .range(above(0.))
-      .fallback("none")
-      .doc(
-          "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "
-          "are "
-          "written; the steps meet them");
-  table.key("every", &CaseTables::output_every)
-      .unit("s")
+      .fallback("none");
+  table
+      .key("every", &CaseTables::output_every, "s",
+           "time between values of smooth histories, in /dense of results.h5; between the ends of steps as accurate as "
+           "the scheme")
       .range(above(0.))
-      .fallback("only the steps' own times")
-      .doc(
-          "time between values of smooth histories, in /dense of results.h5; between the ends of steps as accurate as "
-          "the scheme");
+      .fallback("only the steps' own times");
   return table;
 }
 
@@ -186,26 +169,22 @@ TableSchema<CaseTables> output_schema() {
 
 TableSchema<Fluid> fluid_schema() {
   TableSchema<Fluid> table;
-  table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
-  table.key("bulk_modulus", &Fluid::bulk_modulus)
-      .unit("Pa")
-      .range(above(0.).or_infinite())
-      .doc("bulk modulus of the water; inf is allowed");
-  table.key("viscosity", &Fluid::viscosity)
-      .unit("Pa s")
-      .range(above(0.))
-      .doc("dynamic viscosity of the water, for regions with a permeability");
-  table.key("atmospheric_pressure", &Fluid::atmospheric_pressure)
-      .unit("Pa")
-      .range(at_least(0.))
-      .doc("pressure of the air on still water, for regions with a saturation below 1");
+  table.key("density", &Fluid::density, "kg/m3", "density of the water").range(above(0.));
+  table.key("bulk_modulus", &Fluid::bulk_modulus, "Pa", "bulk modulus of the water; inf is allowed")
+      .range(above(0.).or_infinite());
+  table.key("viscosity", &Fluid::viscosity, "Pa s", "dynamic viscosity of the water, for regions with a permeability")
+      .range(above(0.));
+  table
+      .key("atmospheric_pressure", &Fluid::atmospheric_pressure, "Pa",
+           "pressure of the air on still water, for regions with a saturation below 1")
+      .range(at_least(0.));
   return table;
 }
 
 TableSchema<CaseTables> case_schema() {
   TableSchema<CaseTables> table;
-  table.key("title", &CaseTables::title).doc("title of the case");
-  table.key("gravity", &CaseTables::gravity).unit("m/s2").range(above(0.)).doc("acceleration of gravity");
+  table.key("title", &CaseTables::title, "", "title of the case");
+  table.key("gravity", &CaseTables::gravity, "m/s2", "acceleration of gravity").range(above(0.));
   table.table("fluid", &CaseTables::fluid, fluid_schema()).doc("Pore water and sea water.");
   table.table("mesh", &CaseTables::mesh, mesh_schema()).doc("Exactly one of geometry and file is needed.");
   table.tables("regions", &CaseTables::regions, region_schema())
@@ -233,8 +212,10 @@ TableSchema<CaseTables> case_schema() {
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
-  table.elsewhere({"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics",
-                   "impact", "calibration"});  // of `waves`, `expected`, `calibrate`: a case may be their design, too
+  table.elsewhere(
+      {"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics", "impact",
+       "calibration",
+       "reliability"});  // of `waves`, `expected`, `calibrate`, `reliability`: a case may be their design, too
   return table;
 }
 

@@ -17,33 +17,30 @@ bool has_course(const UpliftTable& uplift) {
 
 TableSchema<UpliftTable> uplift_schema() {
   TableSchema<UpliftTable> table;
-  table.choice("kind", &UpliftTable::kind, uplift_kind_words)
-      .required()
-      .doc(
-          "where the uplift comes from; prescribed: peak, history or gauges; computed: the pore pressure on the "
-          "bottom; wave: U = p_u B/2 of the load by a wave");
-  table.key("peak", &UpliftTable::peak)
-      .unit("N/m")
+  table
+      .choice("kind", &UpliftTable::kind, uplift_kind_words,
+              "where the uplift comes from; prescribed: peak, history or gauges; computed: the pore pressure on the "
+              "bottom; wave: U = p_u B/2 of the load by a wave")
+      .required();
+  table.key("peak", &UpliftTable::peak, "N/m", "largest uplift U; or history")
       .range(at_least(0.))
-      .doc("largest uplift U; or history")
       .when("kind", is_prescribed, "where the uplift is prescribed");
-  table.choice("shape", &UpliftTable::course, uplift_course_words)
-      .doc(
-          "course of U in time; held: proportional to P up to the largest P, then at its peak, the safe side where F_T "
-          "comes after P; in_phase: proportional to P while that is landward")
+  table
+      .choice("shape", &UpliftTable::course, uplift_course_words,
+              "course of U in time; held: proportional to P up to the largest P, then at its peak, the safe side where "
+              "F_T comes after P; in_phase: proportional to P while that is landward")
       .when("kind", has_course, "where the uplift is prescribed");
-  table.choice("distribution", &UpliftTable::distribution, uplift_distribution_words)
-      .doc(
-          "pressure over the base of a peak or history; triangle: largest at the seaward edge, zero at the heel; "
-          "uniform: the same everywhere")
+  table
+      .choice("distribution", &UpliftTable::distribution, uplift_distribution_words,
+              "pressure over the base of a peak or history; triangle: largest at the seaward edge, zero at the heel; "
+              "uniform: the same everywhere")
       .when("kind", is_prescribed, "where the uplift is prescribed");
-  table.key("lag", &UpliftTable::lag)
-      .unit("s")
+  table.key("lag", &UpliftTable::lag, "s", "time by which U comes after P")
       .range(at_least(0.))
-      .doc("time by which U comes after P")
       .when("kind", has_course, "where the uplift is prescribed");
-  table.key("history", &UpliftTable::history_file)
-      .doc("path of a CSV file with a header line, then time (s) and U (N/m); or peak, or gauges")
+  table
+      .key("history", &UpliftTable::history_file, "",
+           "path of a CSV file with a header line, then time (s) and U (N/m); or peak, or gauges")
       .when("kind", is_prescribed, "where the uplift is prescribed");
   add_gauge_keys<UpliftTable>(table, bottom_words, is_prescribed, "where the uplift is prescribed", is_prescribed);
   return table;
@@ -51,13 +48,14 @@ TableSchema<UpliftTable> uplift_schema() {
 
 TableSchema<SlidingWave> wave_schema() {
   TableSchema<SlidingWave> table;
-  table.key("height", &SlidingWave::height).unit("m").range(above(0.)).required().doc("wave height H");
-  table.key("depth", &SlidingWave::depth).unit("m").range(above(0.)).required().doc("water depth h at the wall");
-  table.key("period", &SlidingWave::period).unit("s").range(above(0.)).required().doc("wave period T");
-  table.key("alpha_star", &SlidingWave::alpha_star)
+  table.key("height", &SlidingWave::height, "m", "wave height H").range(above(0.)).required();
+  table.key("depth", &SlidingWave::depth, "m", "water depth h at the wall").range(above(0.)).required();
+  table.key("period", &SlidingWave::period, "s", "wave period T").range(above(0.)).required();
+  table
+      .key("alpha_star", &SlidingWave::alpha_star, "",
+           "pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves gives it")
       .range(from_to(0., 2.))
-      .required()
-      .doc("pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves gives it");
+      .required();
   return table;
 }
 
@@ -65,25 +63,18 @@ TableSchema<SlidingWave> wave_schema() {
 
 TableSchema<SlidingTable> sliding_schema() {
   TableSchema<SlidingTable> table;
-  table.key("friction", &SlidingTable::own_friction)
+  table.key("friction", &SlidingTable::own_friction, "", "friction coefficient mu of the bottom")
       .range(above(0.))
-      .fallback("that of the contact or of [section], else 0.6")
-      .doc("friction coefficient mu of the bottom");
-  table.key("submerged_weight", &SlidingTable::own_submerged_weight)
+      .fallback("that of the contact or of [section], else 0.6");
+  table.key("submerged_weight", &SlidingTable::own_submerged_weight, "N/m", "weight W' of the caisson in still water")
       .formerly("buoyant_weight")
-      .unit("N/m")
       .range(above(0.))
-      .fallback("that of [section]; required without")
-      .doc("weight W' of the caisson in still water");
-  table.key("weight", &SlidingTable::weight)
-      .unit("N/m")
+      .fallback("that of [section]; required without");
+  table.key("weight", &SlidingTable::weight, "N/m", "weight W of the caisson in air, with its fill; to check the mass")
       .range(above(0.))
-      .fallback("mass x g of the caisson")
-      .doc("weight W of the caisson in air, with its fill; to check the mass");
-  table.key("drag", &SlidingTable::drag)
-      .unit("N s/m2")
-      .range(at_least(0.))
-      .doc("drag force F_D over the sliding velocity; the paper neglects it");
+      .fallback("mass x g of the caisson");
+  table.key("drag", &SlidingTable::drag, "N s/m2", "drag force F_D over the sliding velocity; the paper neglects it")
+      .range(at_least(0.));
   table.table("uplift", &SlidingTable::uplift_table, uplift_schema())
       .doc("What the wave takes off the weight; nothing without this table.");
   table.table("wave", &SlidingTable::wave, wave_schema())

@@ -9,6 +9,10 @@ namespace {
 
 const char* const goda =
     "Goda's P and U with alpha* = max(alpha_2, alpha_I), which already is an effective sliding force";
+const char* const trough_bound =
+    "a bound of the trough after Sainflou (1928), without suction under the base: on the safe side, as no standing "
+    "wave "
+    "of finite height is known (why_no_standing)";
 const char* const standing_wave = "the standing wave of finite height, in case the wave does not break";
 
 /// Makes the checks of one wave.
@@ -52,13 +56,16 @@ class FormulaChecks {
         seaward{"sliding seaward by formulas", "overturning seaward by formulas", "toe pressure p_e"},
         keys{"standing.safety_sliding", "standing.safety_overturning", "standing.heel_pressure"},
         seaward_keys{"standing.trough_safety_sliding", "standing.trough_safety_overturning", "standing.toe_pressure"};
+    const auto& factor = limits_.sliding_factor;
+    const auto& seaward_factor = limits_.seaward_sliding_factor ? limits_.seaward_sliding_factor : factor;
     if (const auto& standing = answer_.standing.answer) {
-      const auto& landward_factor = limits_.sliding_factor;
-      add(standing->landward, landward, keys, standing_wave, landward_factor);
+      add(standing->landward, landward, keys, standing_wave, factor);
       add(standing->seaward, seaward, seaward_keys, "the trough of the standing wave, without suction under the base",
-          limits_.seaward_sliding_factor ? limits_.seaward_sliding_factor : landward_factor);
+          seaward_factor);
     } else {
-      list_.push_back(not_checked(check(seaward[0], "", {}, seaward_keys[0], standing_wave), answer_.standing.why_not));
+      add(answer_.standing.bound->seaward, seaward,
+          {"trough_bound.safety_sliding", "trough_bound.safety_overturning", "trough_bound.toe_pressure"}, trough_bound,
+          seaward_factor);
     }
   }
 

@@ -2,88 +2,75 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include "base/text.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 
 const std::vector<std::pair<std::string, ImpactForce>> impact_force_words{
-    {"impulse", ImpactForce::impulse}, {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I}};
+    {"impulse", ImpactForce::impulse},
+    {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I},
+    {"proverbs", ImpactForce::proverbs}};
 
 namespace {
 
 void declare_depths(TableSchema<Section>& table) {
-  table.key("water_depth", &Section::water_depth)
-      .unit("m")
+  table.key("water_depth", &Section::water_depth, "m", "depth h at the wall").range(formula_length()).required();
+  table.key("foundation_depth", &Section::foundation_depth, "m", "depth h' of the caisson's bottom below still water")
       .range(formula_length())
-      .required()
-      .doc("depth h at the wall");
-  table.key("foundation_depth", &Section::foundation_depth)
-      .unit("m")
+      .required();
+  table.key("berm_depth", &Section::berm_depth, "m", "depth d of the top of the mound's armour below still water")
       .range(formula_length())
-      .required()
-      .doc("depth h' of the caisson's bottom below still water");
-  table.key("berm_depth", &Section::berm_depth)
-      .unit("m")
-      .range(formula_length())
-      .required()
-      .doc("depth d of the top of the mound's armour below still water");
-  table.key("crest", &Section::crest)
-      .unit("m")
+      .required();
+  table.key("crest", &Section::crest, "m", "height h_c of the crest above still water")
       .range(from_to(0., 1e4))
-      .required()
-      .doc("height h_c of the crest above still water");
-  table.key("width", &Section::width).unit("m").range(formula_length()).required().doc("width B of the caisson");
-  table.key("berm_width", &Section::berm_width)
-      .unit("m")
+      .required();
+  table.key("width", &Section::width, "m", "width B of the caisson").range(formula_length()).required();
+  table.key("berm_width", &Section::berm_width, "m", "width B_M of the mound's berm in front of the caisson")
       .range(from_to(0., 1e4))
-      .required()
-      .doc("width B_M of the mound's berm in front of the caisson");
-  table.key("bed_slope", &Section::bed_slope)
+      .required();
+  table.key("bed_slope", &Section::bed_slope, "", "slope tan(theta) of the seabed in front")
       .range(from_to(0., 1.))
-      .required()
-      .doc("slope tan(theta) of the seabed in front");
+      .required();
+  table
+      .key("harbour_level", &Section::harbour_level, "m",
+           "height of still water behind the caisson above that of the sea; negative where it is lower")
+      .range(from_to(-1e4, 1e4));
+  table
+      .key("facing", &Section::facing, "deg",
+           "where the wall looks at, seaward: the direction of its normal, clockwise from north")
+      .range(from_to(0., 360.))
+      .fallback("none: waves have an angle, and no direction");
 }
 
 void declare_weights(TableSchema<Section>& table) {
-  table.key("weight", &Section::weight)
-      .unit("N/m")
+  table.key("weight", &Section::weight, "N/m", "weight W of the caisson with its fill, in air")
       .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W of the caisson with its fill, in air");
-  table.key("submerged_weight", &Section::submerged_weight)
+      .required();
+  table.key("submerged_weight", &Section::submerged_weight, "N/m", "weight W' of the caisson in still water")
       .formerly("buoyant_weight")
-      .unit("N/m")
       .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W' of the caisson in still water");
-  table.key("centroid", &Section::centroid)
-      .unit("m")
+      .required();
+  table.key("centroid", &Section::centroid, "m", "distance t from the landward heel to the line of W'")
       .range(formula_length())
-      .fallback("width / 2")
-      .doc("distance t from the landward heel to the line of W'");
-  table.key("friction", &Section::friction)
-      .range(from_to(0.01, 10.))
-      .doc("friction coefficient mu between the caisson and the mound");
+      .fallback("width / 2");
+  table.key("friction", &Section::friction, "", "friction coefficient mu between the caisson and the mound")
+      .range(from_to(0.01, 10.));
 }
 
 void declare_blocks(TableSchema<Section>& table) {
-  table.key("blocks", &Section::dissipating_blocks)
-      .doc(
-          "true: wave-dissipating blocks cover the wall; changes the standards of the three factors below, to be "
-          "checked "
-          "in Takahashi, Tanimoto and Shimosako (1990)");
-  table.key("lambda_1", &Section::lambda_1)
+  table.key("blocks", &Section::dissipating_blocks, "",
+            "true: wave-dissipating blocks cover the wall; changes the standards of the three factors below, to be "
+            "checked in Takahashi, Tanimoto and Shimosako (1990)");
+  table.key("lambda_1", &Section::lambda_1, "", "factor lambda_1 of the pressure by alpha_1, and of eta*")
       .range(from_to(0., 2.))
-      .fallback("1; with blocks 1 up to H/h = 0.3, 1.2 - (2/3) H/h up to 0.6, 0.8 beyond")
-      .doc("factor lambda_1 of the pressure by alpha_1, and of eta*");
-  table.key("lambda_2", &Section::lambda_2)
+      .fallback("1; with blocks 1 up to H/h = 0.3, 1.2 - (2/3) H/h up to 0.6, 0.8 beyond");
+  table.key("lambda_2", &Section::lambda_2, "", "factor lambda_2 of the pressure by alpha*")
       .range(from_to(0., 2.))
-      .fallback("1; with blocks 0")
-      .doc("factor lambda_2 of the pressure by alpha*");
-  table.key("lambda_3", &Section::lambda_3)
+      .fallback("1; with blocks 0");
+  table.key("lambda_3", &Section::lambda_3, "", "factor lambda_3 of the uplift")
       .range(from_to(0., 2.))
-      .fallback("as lambda_1 without a value of its own")
-      .doc("factor lambda_3 of the uplift");
+      .fallback("as lambda_1 without a value of its own");
 }
 
 Diagnostic no_height() {
@@ -91,55 +78,127 @@ Diagnostic no_height() {
           "add height, that of the highest wave (m), or deep_water_height"};
 }
 
+void declare_peaks(TableSchema<ImpactScatter>& table) {
+  table
+      .key("quantile", &ImpactScatter::quantile, "",
+           "share of the impacts whose peak is lower; 0.5 for the middle one; an assumption")
+      .range(between(0., 1.));
+  table
+      .key("location", &ImpactScatter::location, "",
+           "of F* = location + scale/shape (1 - (-ln quantile)^shape), F* = P_I/(rho g H_b^2); on a bed of 1:50, an "
+           "assumption: steeper beds have more")
+      .range(from_to(0., 100.));
+  table.key("scale", &ImpactScatter::scale, "", "of F*; an assumption").range(from_to(0., 100.));
+  table.key("shape", &ImpactScatter::shape, "", "of F*; an assumption").range(from_to(-2., -1e-3));
+  table.key("breaker", &ImpactScatter::breaker, "m", "H_b, height from which waves break on the wall")
+      .range(formula_length())
+      .fallback("by the mound: (0.1025 + 0.0217 (1 - C_r)/(1 + C_r)) L tanh(2 pi k_b h/L), an assumption");
+}
+
 }  // namespace
+
+TableSchema<ImpactScatter> impact_scatter_schema() {
+  TableSchema<ImpactScatter> table;
+  declare_peaks(table);
+  table.key("reflection", &ImpactScatter::reflection, "", "C_r of the wall, for H_b; an assumption")
+      .range(from_to(0., 1.));
+  table
+      .key("mound_slope", &ImpactScatter::mound_slope, "",
+           "cotangent of the mound's seaward slope, for H_b; an assumption")
+      .range(from_to(0., 100.));
+  table
+      .key("rise_quantile", &ImpactScatter::rise_quantile, "",
+           "share of the impacts that rise faster, at the same peak: a longer one has more impulse")
+      .range(between(0., 1.))
+      .fallback("the mean rise, by rise_coefficient");
+  table
+      .key("rise_scatter", &ImpactScatter::rise_scatter, "",
+           "standard deviation of the rise over its mean, lognormal; an assumption")
+      .range(from_to(0., 10.));
+  return table;
+}
+
+Diagnostics diagnose(const ImpactAssumptions& impact, ImpactForce force) {
+  Diagnostics list;
+  if (force != ImpactForce::proverbs && impact.proverbs)
+    list.add(at_key("proverbs"), "'proverbs' is given, but the peak is not by it", "write force = \"proverbs\"");
+  if (force == ImpactForce::proverbs && impact.peak_gain)
+    list.add(at_key("peak_gain"), "'peak_gain' is given, but the peak is by force = \"proverbs\"",
+             "remove peak_gain, or write force = \"impulse\"");
+  return list;
+}
+
+ImpactAssumptions with_force(ImpactAssumptions impact, ImpactForce force) {
+  if (force == ImpactForce::goda_with_alpha_I) impact.peak_gain.reset();
+  if (force == ImpactForce::proverbs && !impact.proverbs) impact.proverbs.emplace();
+  return impact;
+}
+
+double turned_angle(const WaveGiven& wave, const Section& section) {
+  return wave.direction && section.facing ? turned_angle(*wave.direction, *section.facing).turned : wave.angle;
+}
+
+std::string describe_direction(const WaveGiven& wave, const Section& section) {
+  if (!wave.direction || !section.facing) return "";
+  const TurnedAngle angle = turned_angle(*wave.direction, *section.facing);
+  return "it comes from " + significant(*wave.direction, 4) + " degrees, the wall looks at " +
+         significant(*section.facing, 4) + ": " + significant(angle.to_normal, 4) +
+         " degrees to the normal, turned by " + significant(angle.to_normal - angle.turned, 4) +
+         " towards it (Goda 2000): beta = " + significant(angle.turned, 4) + " degrees";
+}
 
 TableSchema<Limits> limits_schema() {
   TableSchema<Limits> table;
-  table.key("sliding", &Limits::sliding)
-      .unit("m")
+  table
+      .key("sliding", &Limits::sliding, "m",
+           "largest sliding distance S that is allowed; where soil yields, of S and what the ground carries together")
+      .range(above(0.));
+  table
+      .key("base_pressure", &Limits::base_pressure, "Pa",
+           "largest pressure p_e of heel and toe on the mound, by Goda's formulas, that is allowed; 400e3 to 600e3 in "
+           "Japanese practice, which was made for it")
+      .range(above(0.));
+  table
+      .key("dynamic_base_pressure", &Limits::dynamic_base_pressure, "Pa",
+           "largest pressure of heel and toe in motion, of a moment and with its impulse, that is allowed; practice "
+           "knows no such limit, and that of base_pressure was not made for it")
+      .range(above(0.));
+  table
+      .key("overturning", &Limits::overturning, "",
+           "least margin against overturning that is allowed; 1.2 in Japanese practice")
+      .range(above(0.));
+  table
+      .key("safety", &Limits::safety, "",
+           "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
+           "with less does not stand. Has the factor computed, as initial.safety does")
+      .range(above(0.));
+  table
+      .key("sliding_factor", &Limits::sliding_factor, "",
+           "least safety factor against sliding landward, by formulas, that is allowed; 1.2 in Japanese practice")
       .range(above(0.))
-      .doc("largest sliding distance S that is allowed; where soil yields, of S and what the ground carries together");
-  table.key("base_pressure", &Limits::base_pressure)
-      .unit("Pa")
+      .fallback("1");
+  table
+      .key("seaward_sliding_factor", &Limits::seaward_sliding_factor, "",
+           "least safety factor against sliding seaward, in the trough, by formulas, that is allowed")
       .range(above(0.))
-      .doc(
-          "largest pressure p_e of heel and toe on the mound, by Goda's formulas, that is allowed; 400e3 to 600e3 in "
-          "Japanese practice, which was made for it");
-  table.key("dynamic_base_pressure", &Limits::dynamic_base_pressure)
-      .unit("Pa")
-      .range(above(0.))
-      .doc(
-          "largest pressure of heel and toe in motion, of a moment and with its impulse, that is allowed; practice "
-          "knows "
-          "no such limit, and that of base_pressure was not made for it");
-  table.key("overturning", &Limits::overturning)
-      .range(above(0.))
-      .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
-  table.key("safety", &Limits::safety)
-      .range(above(0.))
-      .doc(
-          "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
-          "with "
-          "less does not stand. Has the factor computed, as initial.safety does");
-  table.key("sliding_factor", &Limits::sliding_factor)
-      .range(above(0.))
-      .fallback("1")
-      .doc("least safety factor against sliding landward, by formulas, that is allowed; 1.2 in Japanese practice");
-  table.key("seaward_sliding_factor", &Limits::seaward_sliding_factor)
-      .range(above(0.))
-      .fallback("as sliding_factor")
-      .doc("least safety factor against sliding seaward, in the trough, by formulas, that is allowed");
-  table.key("settlement", &Limits::settlement)
-      .unit("m")
-      .range(above(0.))
-      .doc("largest settlement of the caisson, left in the end by soil that yields, that is allowed");
-  table.key("tilt", &Limits::tilt)
-      .unit("rad")
-      .range(above(0.))
-      .doc("largest tilt of the caisson, left in the end by soil that yields, that is allowed");
-  table.key("lives_beyond", &Limits::lives_beyond)
-      .range(between(0., 1.))
-      .doc("largest share of the lives that may slide farther than `sliding`");
+      .fallback("as sliding_factor");
+  table
+      .key("settlement", &Limits::settlement, "m",
+           "largest settlement of the caisson, left in the end by soil that yields, that is allowed")
+      .range(above(0.));
+  table
+      .key("tilt", &Limits::tilt, "rad",
+           "largest tilt of the caisson, left in the end by soil that yields, that is allowed")
+      .range(above(0.));
+  table
+      .key("lives_beyond", &Limits::lives_beyond, "",
+           "largest share of the lives that may slide farther than `sliding`")
+      .range(between(0., 1.));
+  table
+      .key("circles", &Limits::circles, "",
+           "least factor of safety of slip circles through mound and ground under the caisson, by Bishop's simplified "
+           "method, that is allowed; 1.0 in waves in Japanese practice. Only a run checks it")
+      .range(above(0.));
   return table;
 }
 
@@ -151,8 +210,28 @@ TableSchema<Section> section_schema() {
   return table;
 }
 
-Diagnostics diagnose(const WaveGiven& wave) {
+namespace {
+
+void diagnose_direction(const WaveGiven& wave, const Section* section, Diagnostics& list) {
+  if (!wave.direction) return;
+  if (wave.angle != 0.) list.add(at_key("direction"), "both 'angle' and 'direction' are given", "keep one of them");
+  if (section == nullptr) return;
+  if (!section->facing)
+    list.add(at_key("direction"), "'direction' is given, but not where the wall looks at",
+             "add facing to [section], the direction of the wall's seaward normal, in degrees from north");
+  else if (turned_angle(*wave.direction, *section->facing).turned >= 90.)
+    list.add(at_key("direction"),
+             "the wave comes from " + significant(*wave.direction, 4) + " degrees, " +
+                 significant(turned_angle(*wave.direction, *section->facing).to_normal, 4) +
+                 " degrees to the wall's normal: it does not meet the wall",
+             "give where the wave comes from, and where the wall looks at (degrees from north)");
+}
+
+}  // namespace
+
+Diagnostics diagnose(const WaveGiven& wave, const Section* section) {
   Diagnostics list;
+  diagnose_direction(wave, section, list);
   if (!wave.height && !wave.deep_water_height) list.add(no_height());
   if (wave.height && wave.deep_water_height)
     list.add(at_key("deep_water_height"), "both 'height' and 'deep_water_height' are given", "keep one of them");
@@ -165,7 +244,7 @@ Diagnostics diagnose(const WaveGiven& wave) {
 DesignWave design_wave(const WaveGiven& wave, const Section& section, const Water& water) {
   DesignWave w;
   w.period = wave.period;
-  w.angle = wave.angle * boost::math::constants::degree<double>();
+  w.angle = turned_angle(wave, section) * boost::math::constants::degree<double>();
   if (wave.deep_water_height) {
     const DesignHeights heights =
         design_heights({*wave.deep_water_height, wave.period, section.water_depth, section.bed_slope}, water.gravity);

@@ -22,10 +22,17 @@ struct WaveGiven {
   std::optional<double> deep_water_height;   ///< H_0' (m)
   double period = 0.;                        ///< T (s)
   double angle = 0.;                         ///< degrees, already turned towards the wall's normal
+  std::optional<double> direction;           ///< from which it comes, degrees from north; or angle
 };
 
+/// beta (degrees) between the wave and the wall's normal, already turned towards it.
+double turned_angle(const WaveGiven& wave, const Section& section);
+
+/// How the direction became beta, in words; "" where the angle is given.
+std::string describe_direction(const WaveGiven& wave, const Section& section);
+
 /// Which force the caisson's dynamics are computed for.
-enum class ImpactForce { impulse, goda_with_alpha_I };
+enum class ImpactForce { impulse, goda_with_alpha_I, proverbs };
 extern const std::vector<std::pair<std::string, ImpactForce>> impact_force_words;
 
 /// Lengths with which no formula overflows (m).
@@ -42,48 +49,63 @@ TableSchema<Limits> limits_schema();
 /// Declares the keys of WaveGiven.
 template <class T>
 void declare_wave(TableSchema<T>& table) {
-  table.key("height", &T::height)
-      .unit("m")
+  table.key("height", &T::height, "m", "height H of the wave; the highest one, H_D, for a design; or deep_water_height")
+      .range(formula_length());
+  table.key("significant_height", &T::significant_height, "m", "significant height H_1/3; sets where h_b is taken")
       .range(formula_length())
-      .doc("height H of the wave; the highest one, H_D, for a design; or deep_water_height");
-  table.key("significant_height", &T::significant_height)
-      .unit("m")
-      .range(formula_length())
-      .fallback("height / 1.8, or by random breaking")
-      .doc("significant height H_1/3; sets where h_b is taken");
-  table.key("deep_water_height", &T::deep_water_height)
-      .unit("m")
-      .range(formula_length())
-      .doc("equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking");
-  table.key("period", &T::period).unit("s").range(from_to(0.01, 1e4)).required().doc("significant wave period T");
-  table.key("angle", &T::angle)
-      .unit("deg")
-      .range(from_to_below(0., 90.))
-      .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
+      .fallback("height / 1.8, or by random breaking");
+  table
+      .key("deep_water_height", &T::deep_water_height, "m",
+           "equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking")
+      .range(formula_length());
+  table.key("period", &T::period, "s", "significant wave period T").range(from_to(0.01, 1e4)).required();
+  table
+      .key("angle", &T::angle, "deg",
+           "angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it")
+      .range(from_to_below(0., 90.));
+  table
+      .key("direction", &T::direction, "deg",
+           "in place of angle: where the wave comes from, clockwise from north, as on a chart; beta is its angle to "
+           "section.facing, turned by up to 15 deg towards it (Goda 2000)")
+      .range(from_to(0., 360.))
+      .fallback("by angle");
 }
+
+/// [impact.proverbs], and what of it contradicts `force`.
+TableSchema<ImpactScatter> impact_scatter_schema();
+Diagnostics diagnose(const ImpactAssumptions& impact, ImpactForce force);
+
+/// The assumptions with the peak of that force.
+ImpactAssumptions with_force(ImpactAssumptions impact, ImpactForce force);
 
 /// Declares the keys of ImpactAssumptions.
 template <class T>
 void declare_impact(TableSchema<T>& table) {
-  table.key("peak_gain", &T::peak_gain)
+  table
+      .key("peak_gain", &T::peak_gain, "",
+           "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
+           "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
+           "tells")
       .range(from_to(0., 100.))
-      .fallback("as much as makes P_I Goda's P with alpha*")
+      .fallback("as much as makes P_I Goda's P with alpha*");
+  table
+      .key("rise_coefficient", &T::rise_coefficient, "",
+           "c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption")
+      .range(from_to(0.01, 100.));
+  table
+      .key("duration_least", &T::duration_least, "",
+           "a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption")
+      .range(from_to(1.1, 1000.));
+  table.key("duration_gain", &T::duration_gain, "", "b of the duration; an assumption").range(from_to(0., 1000.));
+  table.key("duration_decay", &T::duration_decay, "", "c of the duration; an assumption").range(from_to(0., 1000.));
+  table.table("proverbs", &T::proverbs, impact_scatter_schema())
       .doc(
-          "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
-          "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
-          "tells");
-  table.key("rise_coefficient", &T::rise_coefficient)
-      .range(from_to(0.01, 100.))
-      .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");
-  table.key("duration_least", &T::duration_least)
-      .range(from_to(1.1, 1000.))
-      .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
-  table.key("duration_gain", &T::duration_gain).range(from_to(0., 1000.)).doc("b of the duration; an assumption");
-  table.key("duration_decay", &T::duration_decay).range(from_to(0., 1000.)).doc("c of the duration; an assumption");
+          "Of force = \"proverbs\": a wave of at least H_b breaks on the wall with P_I = F* rho g H_b^2, a quantile of "
+          "generalised extreme values, after Oumeraci et al. (2001), whose numbers are assumptions here.");
 }
 
-/// What is missing, or contradicts another key.
-Diagnostics diagnose(const WaveGiven& wave);
+/// What is missing, or contradicts another key; without a section nothing of the direction.
+Diagnostics diagnose(const WaveGiven& wave, const Section* section);
 
 /// The design wave of a table without mistakes; where only the height in deep water is given, heights by random
 /// breaking.

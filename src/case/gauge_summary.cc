@@ -1,5 +1,4 @@
 // What transducers along a wall or a bottom measured.
-#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"

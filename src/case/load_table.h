@@ -14,9 +14,15 @@
 
 namespace upbead {
 
+/// [loads.NAME.pulse].
+struct PulseTable : Pulse {
+  int number = 1;                ///< of equal pulses in a row
+  std::optional<double> period;  ///< from one to the next (s)
+};
+
 /// A table [loads.NAME] as written, of which its source makes loads (load_source.h).
 struct LoadTable : Load, GaugeKeys, FlowKeys {
-  std::optional<Pulse> pulse;
+  std::optional<PulseTable> pulse;
   std::string history_file;
   std::optional<WaveLoadTable> wave;
   std::optional<WaveTrain> train;

@@ -1,4 +1,8 @@
 // Loads by an idealised history: [loads.NAME.pulse].
+#include <algorithm>
+#include <string>
+
+#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/load_source.h"
@@ -9,45 +13,77 @@ namespace upbead {
 
 namespace {
 
+constexpr int most_pulses = 1000;
+
 bool has_rise(const Pulse& pulse) {
   return pulse.shape == PulseShape::triangle || pulse.shape == PulseShape::church_roof ||
          pulse.shape == PulseShape::step;
 }
 
-TableSchema<Pulse> pulse_schema() {
-  TableSchema<Pulse> table;
-  table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
-  table.key("peak", &Pulse::peak)
-      .unit("N/m or Pa")
-      .required()
-      .doc("largest value, in the unit of the load's kind; of a harmonic its amplitude");
-  table.key("rise", &Pulse::rise)
-      .unit("s")
+TableSchema<PulseTable> pulse_schema() {
+  TableSchema<PulseTable> table;
+  table.choice("shape", &Pulse::shape, pulse_shape_words, "shape of the history").required();
+  table
+      .key("peak", &Pulse::peak, "N/m or Pa",
+           "largest value, in the unit of the load's kind; of a harmonic its amplitude")
+      .required();
+  table.key("rise", &Pulse::rise, "s", "time from start to peak")
       .range(at_least(0.))
       .fallback("half the duration; of a step 0")
-      .doc("time from start to peak")
       .when("shape", has_rise, "in a triangle, a church_roof and a step");
-  table.key("duration", &Pulse::duration)
-      .unit("s")
+  table
+      .key("duration", &Pulse::duration, "s",
+           "duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof")
+      .range(above(0.));
+  table.key("start", &Pulse::start, "s", "time of the start; zero before").range(at_least(0.));
+  table.key("plateau", &Pulse::plateau, "", "value of the slow part over the peak; of a church_roof")
+      .range(between(0., 1.));
+  table
+      .key("plateau_duration", &Pulse::plateau_duration, "s",
+           "time from start until the slow part has gone; of a church_roof")
+      .range(above(0.));
+  table.key("frequency", &Pulse::frequency, "Hz", "frequency; of a harmonic").range(above(0.));
+  table.key("number", &PulseTable::number, "", "of equal pulses in a row: ground and slip remember those before")
+      .range(from_to(1, most_pulses));
+  table.key("period", &PulseTable::period, "s", "from one pulse to the next; at least as long as a pulse")
       .range(above(0.))
-      .doc("duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof");
-  table.key("start", &Pulse::start).unit("s").range(at_least(0.)).doc("time of the start; zero before");
-  table.key("plateau", &Pulse::plateau)
-      .range(between(0., 1.))
-      .doc("value of the slow part over the peak; of a church_roof");
-  table.key("plateau_duration", &Pulse::plateau_duration)
-      .unit("s")
-      .range(above(0.))
-      .doc("time from start until the slow part has gone; of a church_roof");
-  table.key("frequency", &Pulse::frequency).unit("Hz").range(above(0.)).doc("frequency; of a harmonic");
+      .fallback("none: there is one pulse");
   return table;
+}
+
+/// How long a pulse acts (s).
+double length_of(const Pulse& pulse) {
+  const double slow = pulse.shape == PulseShape::church_roof ? pulse.plateau_duration.value_or(0.) : 0.;
+  return std::max(pulse.duration.value_or(0.), slow);
+}
+
+void check_pulses(const LoadCheck& check) {
+  if (!check.load.pulse || (check.load.pulse->number == 1 && !check.load.pulse->period)) return;
+  const PulseTable& pulse = *check.load.pulse;
+  const auto wrong = [&](const char* key, const std::string& what, const std::string& cure) {
+    check.wrong.add(std::string("pulse.") + key, what, cure);
+  };
+  if (pulse.shape == PulseShape::harmonic || pulse.shape == PulseShape::step)
+    wrong("number", "a pulse of that shape does not end, so that none can follow",
+          "write a shape that ends: triangle, half_sine or church_roof");
+  else if (is_motion(check.load.kind))
+    wrong("number", "a motion may leave the boundary elsewhere, from where no equal one follows",
+          "give its history as a file");
+  else if (!pulse.period)
+    wrong("period", "'period' is missing, which number > 1 needs", "add period, from one pulse to the next (s)");
+  else if (*pulse.period < length_of(pulse))
+    wrong("period",
+          "period = " + number_text(*pulse.period) + " s is shorter than a pulse, " + number_text(length_of(pulse)) +
+              " s",
+          "give at least that");
 }
 
 std::shared_ptr<LoadSource> read_pulse(const GivenLoad& given) {
   const auto source = begun(given);
-  const Pulse& pulse = *given.table.pulse;
+  const PulseTable& pulse = *given.table.pulse;
   Load load = given.table;
   load.history = is_motion(load.kind) ? velocity(load.kind, pulse) : time_function(pulse);
+  if (pulse.number > 1) load.history = repeated(load.history, pulse.number, *pulse.period);
   load.duration = is_motion(load.kind) ? motion_duration(load.kind, pulse) : duration(pulse);
   const Load& made = source->made[given.name] = with_factor(load);
   const bool harmonic = pulse.shape == PulseShape::harmonic;
@@ -64,7 +100,11 @@ LoadWay by_pulse() {
           [](TableSchema<LoadTable>& table) {
             table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
           },
-          [](const LoadCheck& check) { check.exactly_one("pulse", "history"); }, read_pulse};
+          [](const LoadCheck& check) {
+            check.exactly_one("pulse", "history");
+            check_pulses(check);
+          },
+          read_pulse};
 }
 
 }  // namespace upbead

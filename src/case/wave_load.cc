@@ -23,6 +23,7 @@ const Words<WaveCourse> wave_course_words{{"church_roof", WaveCourse::church_roo
                                           {"combined", WaveCourse::combined},
                                           {"standing", WaveCourse::standing}};
 
+constexpr int most_waves = 1000;
 constexpr double same_peak = 1e-9;  ///< round-off of a peak
 
 bool has_impact(const WaveLoadTable& table) {
@@ -40,18 +41,23 @@ TableSchema<ImpactAssumptions> wave_impact_schema() {
 TableSchema<WaveLoadTable> wave_load_schema() {
   TableSchema<WaveLoadTable> table;
   declare_wave(table);
-  table.choice("course", &WaveLoadTable::course, wave_course_words)
-      .required()
-      .doc(
+  table
+      .choice(
+          "course", &WaveLoadTable::course, wave_course_words,
           "how P runs in time; church_roof: an impulsive triangle beside half a standing wave, by [.impact]; triangle: "
           "tau_0 = k(alpha*) tau_0F; sine: half a sine of T/2; combined: that triangle beside half a standing wave; "
-          "standing: crest and trough of a standing wave of finite height, for waves that do not break");
-  table.choice("force", &WaveLoadTable::force, impact_force_words)
-      .doc(
-          "peak of P; goda_with_alpha_I: as `waves` gives it, an effective sliding force; impulse: P_I of [.impact], "
-          "as "
-          "`expected` has it")
+          "standing: crest and trough of a standing wave of finite height, for waves that do not break")
+      .required();
+  table
+      .choice("force", &WaveLoadTable::force, impact_force_words,
+              "peak of P; goda_with_alpha_I: as `waves` gives it, an effective sliding force; impulse: P_I of "
+              "[.impact], as `expected` has it; proverbs: F* rho g H_b^2 of a wave that breaks on the wall, by "
+              "[.impact.proverbs], at least Goda's P")
       .when("course", has_impact, "where course = \"church_roof\"");
+  table
+      .key("number", &WaveLoadTable::number, "",
+           "of equal waves in a row, one a period: ground and slip remember those before")
+      .range(from_to(1, most_waves));
   table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
       .doc("The impulsive part of a church roof, as in a design: assumptions of ours.")
       .when("course", has_impact, "where course = \"church_roof\"");
@@ -66,10 +72,11 @@ double WaveLoad::peak() const {
 namespace {
 
 ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Water& water) {
-  ImpactAssumptions assumptions = w.table.impact;
-  if (w.table.force == ImpactForce::goda_with_alpha_I) assumptions.peak_gain.reset();
-  return impact_wave(assumptions, wave_on_wall(w.wave.height, w.wave.period, standing, w.pressure), water,
-                     w.section.berm_depth);
+  const ImpactAssumptions assumptions = with_force(w.table.impact, w.table.force);
+  return impact_wave(assumptions,
+                     wave_on_wall(w.wave.height, w.wave.period, standing, w.pressure,
+                                  breaker_of(assumptions, w.section, w.wavelength)),
+                     water, w.section.berm_depth);
 }
 
 /// Where the triangle crosses the standing wave closer than this share of the rise to the peak or to an end, no kink
@@ -91,6 +98,8 @@ TimeFunction history_of(const ImpactWave& wave) {
 
 void add_church_roof(const WavePressure& standing, const Water& water, WaveLoad& w) {
   w.impact = impact_of(w, standing, water);
+  if (const auto& scatter = with_force(w.table.impact, w.table.force).proverbs)
+    w.breaking = breaking_impact(*scatter, w.section, water, w.wave, w.wavelength);
   w.standing_force = w.impact->reduction * w.impact->standing_force;
   w.history = history_of(*w.impact);
   w.duration = 2. * std::min(w.impact->rise, w.impact->duration - w.impact->rise);
@@ -163,6 +172,10 @@ std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& s
       add_standing(water, w);
       break;
   }
+  if (table.number > 1) {
+    w.history = repeated(w.history, table.number, w.wave.period);
+    w.end += (table.number - 1) * w.wave.period;
+  }
   return wave;
 }
 
@@ -191,9 +204,9 @@ namespace {
 
 std::string impact_words(const WaveLoad& w) {
   const ImpactAssumptions& a = w.table.impact;
-  return "the larger of a triangle, rise " + significant(a.rise_coefficient) +
-         " sqrt(d/g) rho g H^2 / P, duration rise (" + significant(a.duration_least) + " + " +
-         significant(a.duration_gain) + " exp(-" + significant(a.duration_decay) +
+  return "the larger of a triangle, rise " + significant(a.rise_coefficient) + " sqrt(d/g) rho g " +
+         (w.breaking && w.breaking->breaks ? "H_b" : "H") + "^2 / P, duration rise (" + significant(a.duration_least) +
+         " + " + significant(a.duration_gain) + " exp(-" + significant(a.duration_decay) +
          " rise/T)), and gamma P_1 sin(2 pi t/T) with gamma = " + significant(w.impact->reduction) +
          ": half a period keeps the impulse P_1 T/pi, where the triangle alone has no more; assumptions of ours";
 }
@@ -215,12 +228,14 @@ std::string course_words(const WaveLoad& w) {
   return "";
 }
 
+/// The peak_gain of an impact with that peak.
+double gain_of(const WaveLoad& w, double peak) {
+  return (peak / w.impact->standing_force - 1.) / w.pressure.alpha_star;
+}
+
 /// The peak of an impact, and how far it is known: it scatters from wave to wave.
 std::string impact_peak_words(const WaveLoad& w) {
   const ImpactWave& impact = *w.impact;
-  const auto gain_of = [&](double peak) {
-    return significant((peak / impact.standing_force - 1.) / w.pressure.alpha_star);
-  };
   std::string text = "peak P_I = P_1 (1 + e alpha*), P_1 by alpha_1 alone, e = peak_gain ";
   const auto& given = w.table.impact.peak_gain;
   if (given)
@@ -229,7 +244,8 @@ std::string impact_peak_words(const WaveLoad& w) {
     text += "not given: P_I is Goda's P, the least that may be assumed";
   if (w.pressure.alpha_star > 0.)
     text += "; measured impulsive peaks scatter from about that P to several times it (twice: peak_gain = " +
-            gain_of(2. * w.pressure.force) + ", four times: " + gain_of(4. * w.pressure.force) + ")";
+            significant(gain_of(w, 2. * w.pressure.force)) +
+            ", four times: " + significant(gain_of(w, 4. * w.pressure.force)) + ")";
   return text + "; an assumption";
 }
 
@@ -240,6 +256,10 @@ std::string peak_words(const WaveLoad& w) {
            std::to_string(w.standing->wave.harmonics()) + " harmonics, residual " +
            significant(w.standing->wave.residual(), 2);
   if (w.table.force == ImpactForce::impulse) return impact_peak_words(w);
+  if (w.breaking)
+    return "peak by " + describe(*with_force(w.table.impact, w.table.force).proverbs, *w.breaking) + ": " +
+           significant(w.impact->peak / w.pressure.force) + " of Goda's P" +
+           (w.pressure.alpha_star > 0. ? ", as peak_gain = " + significant(gain_of(w, w.impact->peak)) : "");
   return std::string("peak P by Goda's formulas with alpha* = ") +
          (w.pressure.alpha_I > w.pressure.alpha_2 ? "alpha_I, an effective sliding force" : "alpha_2");
 }
@@ -254,6 +274,11 @@ std::vector<std::string> assumptions_of(const WaveLoad& w) {
                                            : "uplift: U = p_u B/2 by Goda's formulas, with alpha_1 alone"};
   if (w.table.deep_water_height) list.push_back("H and H_1/3 by random breaking of the deep-water height");
   if (!w.table.deep_water_height && !w.table.significant_height) list.push_back("H_1/3 = H/1.8");
+  if (w.table.number > 1)
+    list.push_back(std::to_string(w.table.number) + " equal waves in a row, one in " + significant(w.wave.period) +
+                   " s; an uplift that is held stays at its peak from the first on, on the safe side");
+  if (const std::string direction = describe_direction(w.table, w.section); !direction.empty())
+    list.push_back("direction: " + direction);
   return list;
 }
 
@@ -266,7 +291,9 @@ WaveLoadSummary summary_of(const WaveLoad& w) {
   s.height = w.wave.height;
   s.significant_height = w.wave.significant_height;
   s.period = w.wave.period;
-  s.angle = w.table.angle;
+  s.angle = turned_angle(w.table, w.section);
+  s.direction = w.table.direction;
+  s.impact = w.breaking;
   s.wavelength = w.wavelength;
   s.alpha_1 = p.alpha_1;
   s.alpha_2 = p.alpha_2;
@@ -283,7 +310,7 @@ WaveLoadSummary summary_of(const WaveLoad& w) {
   s.peak = factor * w.peak();
   s.peak_uplift = factor * (w.standing ? w.standing->peak_uplift : p.uplift);
   if (w.standing) s.trough_force = factor * w.standing->extremes.seaward.force;
-  const double whole = w.standing ? 0.5 * w.wave.period : w.end;
+  const double whole = 0.5 * w.wave.period;
   s.rise = w.impact ? w.impact->rise : 0.5 * (w.pulse ? w.pulse->duration : whole);
   s.duration = w.impact ? w.impact->duration : (w.pulse ? w.pulse->duration : whole);
   s.standing_force = factor * w.standing_force;
@@ -302,7 +329,7 @@ void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
   p.uplift *= factor;
   p.uplift_moment *= factor;
   if (p.force != 0.) s.peak_over_goda = s.peak / p.force;
-  s.stability = stability(w.section, p);
+  s.stability = stability(w.section, p, still_water(w.section, water));
   s.standing = standing_answer(w.section, water, w.wave, factor);
   const SlidingLoad load = sliding_load(w.section, water, p, w.wave.height, w.wave.period);
   s.sliding = sliding_distance_exact(load.mass, load.resistance, load.pulse);
@@ -365,12 +392,18 @@ bool is_wave(const LoadTable& table) {
 
 void check_wave_table(const LoadCheck& check) {
   const WaveLoadTable& wave = *check.load.wave;
-  check.wrong.add(diagnose(static_cast<const WaveGiven&>(wave)), "wave.");
+  const std::optional<Section>& section = check.tables.section;
+  check.wrong.add(diagnose(static_cast<const WaveGiven&>(wave), section ? &*section : nullptr), "wave.");
+  if (has_impact(wave)) check.wrong.add(diagnose(wave.impact, wave.force), "wave.impact.");
   if (wave.course != WaveCourse::standing) return;
-  if (wave.angle != 0.)
-    check.wrong.add("wave.angle", "a standing wave of finite height is one that comes straight at the wall",
+  if (wave.number > 1)
+    check.wrong.add("wave.number", "a standing wave has a course of its own, of one whole wave between two halves",
+                    "remove number, or write another course");
+  if (section && turned_angle(wave, *section) != 0.)
+    check.wrong.add(wave.direction ? "wave.direction" : "wave.angle",
+                    "a standing wave of finite height is one that comes straight at the wall",
                     "give angle = 0, which is the safe side, or another course");
-  if (check.tables.section && check.tables.section->dissipating_blocks)
+  if (section && section->dissipating_blocks)
     check.wrong.add("wave.course", "wave-dissipating blocks leave no standing wave before the wall",
                     "give another course, which Goda's factors for blocks belong to");
 }

@@ -34,6 +34,7 @@ struct WaveLoadTable : WaveGiven {
   WaveCourse course = WaveCourse::church_roof;
   ImpactForce force = ImpactForce::goda_with_alpha_I;
   ImpactAssumptions impact;  ///< of a church roof
+  int number = 1;            ///< of equal waves in a row, each a period after the one before
 };
 
 TableSchema<WaveLoadTable> wave_load_schema();
@@ -43,10 +44,11 @@ struct WaveLoad : LoadSource {
   WaveLoadTable table;
   Section section;
   DesignWave wave;
-  double wavelength = 0.;                ///< L (m)
-  WavePressure pressure;                 ///< by Goda's formulas, with alpha*
-  std::optional<TriangularPulse> pulse;  ///< for the courses triangle and combined
-  std::optional<ImpactWave> impact;      ///< for the course church_roof
+  double wavelength = 0.;                  ///< L (m)
+  WavePressure pressure;                   ///< by Goda's formulas, with alpha*
+  std::optional<TriangularPulse> pulse;    ///< for the courses triangle and combined
+  std::optional<ImpactWave> impact;        ///< for the course church_roof
+  std::optional<BreakingImpact> breaking;  ///< of an impact by PROVERBS
   std::shared_ptr<const StandingLoad>
       standing;                    ///< for the course standing, whose pressure has another profile at each time
   double standing_force = 0.;      ///< of the slow part: gamma P_1 (N/m)

@@ -1,5 +1,4 @@
 // Loads by waves on the walls of a mesh.
-#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"

@@ -29,26 +29,23 @@ TimeFunction grown(double growth, const std::function<double(double)>& wave) {
 
 TableSchema<WaveTrain> wave_train_schema() {
   TableSchema<WaveTrain> table;
-  table.key("amplitude", &WaveTrain::amplitude)
-      .unit("Pa")
+  table.key("amplitude", &WaveTrain::amplitude, "Pa", "amplitude of the pressure on the curve; or height and depth")
+      .range(above(0.));
+  table.key("height", &WaveTrain::height, "m", "height of the waves, crest over trough").range(above(0.));
+  table.key("depth", &WaveTrain::depth, "m", "depth of the water over the curve").range(above(0.));
+  table.key("period", &WaveTrain::period, "s", "period").range(above(0.)).required();
+  table.key("length", &WaveTrain::length, "m", "length of the waves")
       .range(above(0.))
-      .doc("amplitude of the pressure on the curve; or height and depth");
-  table.key("height", &WaveTrain::height).unit("m").range(above(0.)).doc("height of the waves, crest over trough");
-  table.key("depth", &WaveTrain::depth).unit("m").range(above(0.)).doc("depth of the water over the curve");
-  table.key("period", &WaveTrain::period).unit("s").range(above(0.)).required().doc("period");
-  table.key("length", &WaveTrain::length)
-      .unit("m")
-      .range(above(0.))
-      .fallback("by period and depth, linear waves")
-      .doc("length of the waves");
-  table.choice("course", &WaveTrain::course, train_course_words)
-      .doc("landward and seaward: they run that way; stands: a standing wave, whose amplitude is that of an antinode");
-  table.key("crest", &WaveTrain::crest).unit("m").doc("x of a crest at t = 0; of a standing wave x of an antinode");
-  table.key("growth", &WaveTrain::growth)
-      .unit("s")
+      .fallback("by period and depth, linear waves");
+  table.choice(
+      "course", &WaveTrain::course, train_course_words,
+      "landward and seaward: they run that way; stands: a standing wave, whose amplitude is that of an antinode");
+  table.key("crest", &WaveTrain::crest, "m", "x of a crest at t = 0; of a standing wave x of an antinode");
+  table
+      .key("growth", &WaveTrain::growth, "s",
+           "time in which the waves grow from rest; 0: they jump to their full height")
       .range(at_least(0.))
-      .fallback("one period")
-      .doc("time in which the waves grow from rest; 0: they jump to their full height");
+      .fallback("one period");
   return table;
 }
 

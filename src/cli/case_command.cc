@@ -51,7 +51,8 @@ look at stands below it. Limits are those of [limits].
 Writes into results/NAME-sheet (or --out DIR), all or nothing:
   summary.json   the table, and the summaries of waves, run and expected in it
   sheet.md       the table as Markdown
-  results.h5     the histories of the run
+  results.h5     the histories of the run; reduced.h5 the model by which the life was answered
+  case.toml      the file with all defaults spelled out; gives the same sheet
 
 Examples:
   upbead sheet cases/designer/section.toml

@@ -122,6 +122,10 @@ std::vector<Command> solver_commands() {
           {"study", "vary keys of cases, and run them side by side"}};
 }
 
+std::vector<Command> sampling_commands() {
+  return {{"reliability", "probability of failure of a section in one wave whose numbers are random"}};
+}
+
 Command solver_command(const std::string& name) {
   const std::vector<Command> commands = solver_commands();
   return *std::find_if(commands.begin(), commands.end(), [&name](const Command& one) { return one.name == name; });

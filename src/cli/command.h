@@ -68,7 +68,9 @@ std::vector<T> operator+(std::vector<T> list, const std::vector<T>& more) {
 /// Commands that mesh or solve, with their help texts but without their work, which a program of its own does, the
 /// solver. So all other commands start without the solver's 200 libraries, in a fifth of the time.
 std::vector<Command> solver_commands();
-/// The one of these commands with that name.
+/// The command that samples by OpenTURNS, likewise without its work: a third program has that library.
+std::vector<Command> sampling_commands();
+/// The one of the solver's commands with that name.
 Command solver_command(const std::string& name);
 
 /// Options of the commands that solve a case.
@@ -94,6 +96,7 @@ Command run_command();
 Command sheet_command();
 Command reduce_command();
 Command study_command();
+Command reliability_command();
 
 /// All commands that need neither mesh nor solver.
 std::vector<Command> light_commands();

@@ -3,10 +3,8 @@
 
 #include "base/files.h"
 #include "base/interrupt.h"
-#include "base/stopwatch.h"
-#include "cli/command.h"
+#include "cli/design_command.h"
 #include "design/calibrate/calibration_report.h"
-#include "design/design.h"
 #include "design/expected_report.h"
 #include "design/waves_report.h"
 
@@ -14,26 +12,13 @@ namespace upbead {
 
 namespace {
 
-/// The results of a command for a design.
-struct Answer {
-  std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, without case.toml and summary.json
-  std::string json, text, warnings;                        ///< summary.json; for stdout and stderr
-};
-
-struct DesignWork {
-  std::string suffix;  ///< of the default folder
-  std::vector<DesignCheck> checks;
-  std::vector<std::string> files;  ///< the files written
-  Answer (*answer)(const Design& design, const Stopwatch& since_start);
-};
-
 int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatch& since_start) {
   const Design design = read_design(options.file, options.overrides, work.checks);
   note_interrupts();
   const std::string out = options.out.empty() ? "results/" + design.stem + work.suffix : options.out;
   require_inputs_kept(out, work.files, input_files(design));
   OutputFolder folder(out);
-  const Answer answer = work.answer(design, since_start);
+  const DesignOutput answer = work.answer(design, since_start);
   for (const auto& [name, bytes] : answer.files) folder.write(name, bytes);
   folder.write("case.toml", effective_design(design, folder.name()));
   folder.write("summary.json", answer.json);
@@ -51,12 +36,12 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
                "add a table [waves.NAME] with height (m) and period (s)");
 }
 
-Answer waves(const Design& design, const Stopwatch&) {
+DesignOutput waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
   return {{}, to_json(design, answers), describe(design, answers) + "\n", describe(warnings_of(design, answers))};
 }
 
-Answer expected(const Design& design, const Stopwatch& since_start) {
+DesignOutput expected(const Design& design, const Stopwatch& since_start) {
   ExpectedTiming timing;
   timing.read = since_start.seconds();
   const ExpectedAnswer answer = find_expected(design);
@@ -65,16 +50,18 @@ Answer expected(const Design& design, const Stopwatch& since_start) {
   return {{{"results.h5", results}},
           to_json(design, answer, timing),
           describe(design, answer),
-          notes_of(answer) + describe(warnings_of(design, answer))};
+          note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }
 
-Answer calibrated(const Design& design, const Stopwatch&) {
+DesignOutput calibrated(const Design& design, const Stopwatch&) {
   const Calibration found = calibrate(design);
   return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
           to_json(design, found),
           describe(design, found),
           describe(warnings_of(design, found))};
 }
+
+}  // namespace
 
 Command design_command(Command command, const DesignWork& work) {
   const auto options = std::make_shared<CommonOptions>();
@@ -88,6 +75,8 @@ Command design_command(Command command, const DesignWork& work) {
   command.work = [options, work, since_start = Stopwatch()] { return work_on(*options, work, since_start); };
   return command;
 }
+
+namespace {
 
 const char* const waves_footer =
     R"(For each wave of the design: Goda's pressure with the impulsive pressure coefficient alpha_I of Takahashi,

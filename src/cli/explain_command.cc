@@ -15,6 +15,7 @@
 #include "findings/topics.h"
 #include "model/exclusions.h"
 #include "output/wave_response.h"
+#include "reliability/answer.h"
 #include "response/time_choice.h"
 #include "run/yielding_extent.h"
 
@@ -113,10 +114,10 @@ std::string explanation_json(const Case& input, const Simulation& simulation, co
 
 /// The keys of every summary, by command.
 std::vector<std::pair<std::string, std::vector<OutputRow>>> outputs() {
-  return {{"run", summary_outputs().rows()},   {"explain", explained_outputs().rows()},
-          {"sheet", rows_of_sheet()},          {"respond", rows_of_respond()},
-          {"waves", rows_of_waves()},          {"expected", rows_of_expected()},
-          {"calibrate", rows_of_calibration()}};
+  return {{"run", summary_outputs().rows()},    {"explain", explained_outputs().rows()},
+          {"sheet", rows_of_sheet()},           {"respond", rows_of_respond()},
+          {"waves", rows_of_waves()},           {"expected", rows_of_expected()},
+          {"calibrate", rows_of_calibration()}, {"reliability", rows_of_reliability()}};
 }
 
 std::string output_reference() {

@@ -31,11 +31,11 @@ TableSchema<ReadKeys> read_schema() {
   static const std::vector<std::pair<std::string, Beyond>> words{{"constant", Beyond::constant},
                                                                  {"none", Beyond::none}};
   TableSchema<ReadKeys> table;
-  table.key("from", &ReadKeys::from).doc("folder or file");
+  table.key("from", &ReadKeys::from, "", "folder or file");
   add_flow_keys<ReadKeys>(table, [](const ReadKeys&) { return true; });
-  table.key("gravity", &ReadKeys::gravity).unit("m/s2").range(above(0.)).doc("acceleration of gravity");
-  table.choice("to_base", &ReadKeys::to_first, words).doc("pressure beyond the first point");
-  table.choice("to_crest", &ReadKeys::to_last, words).doc("pressure beyond the last point");
+  table.key("gravity", &ReadKeys::gravity, "m/s2", "acceleration of gravity").range(above(0.));
+  table.choice("to_base", &ReadKeys::to_first, words, "pressure beyond the first point");
+  table.choice("to_crest", &ReadKeys::to_last, words, "pressure beyond the last point");
   return table;
 }
 

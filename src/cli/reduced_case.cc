@@ -137,7 +137,7 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
   return list;
 }
 
-Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
+Reduction reduce_bonded(const Simulation& simulation, bool all_readings) {
   Progress progress("reducing");
   Reduction reduction =
       reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
@@ -151,7 +151,7 @@ Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::st
   const Simulation simulation = simulation_for_waves(input);
   const Stopwatch watch;
   Reduced made;
-  made.reduction = reduce_glued(simulation, options.all_readings);
+  made.reduction = reduce_bonded(simulation, options.all_readings);
   made.timing = simulation.timing();
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;

@@ -250,8 +250,7 @@ std::vector<InputFile> input_files(const Arguments& arguments) {
 /// Notes on how the waves were read.
 std::string notes_of(const std::vector<WaveFile>& files) {
   std::string text;
-  for (const WaveFile& file : files)
-    for (const LeftOut& part : file.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  for (const WaveFile& file : files) text += note_lines(file.notes);
   return text;
 }
 

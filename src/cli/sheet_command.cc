@@ -152,7 +152,7 @@ int work(const CaseOptions& options) {
   const std::string out = options.out.empty() ? "results/" + input.stem + "-sheet" : options.out;
   std::vector<InputFile> files = input.scene ? input_files(*input.scene) : std::vector<InputFile>();
   if (input.design) append(files, input_files(*input.design));
-  require_inputs_kept(out, {"summary.json", "sheet.md", "results.h5", "reduced.h5"}, files);
+  require_inputs_kept(out, {"summary.json", "sheet.md", "case.toml", "results.h5", "reduced.h5"}, files);
   OutputFolder folder(out);
   const std::vector<Done> parts{waves_part(input), run_part(input, folder), expected_part(input, folder)};
   const Sheet sheet = sheet_of(input.title, {parts[0].part, parts[1].part, parts[2].part});
@@ -161,11 +161,14 @@ int work(const CaseOptions& options) {
   const std::string text = json_text(json);
   folder.write("summary.json", text);
   folder.write("sheet.md", markdown(sheet));
+  folder.write("case.toml", !input.design  ? effective_case(*input.scene, folder.name())
+                            : !input.scene ? effective_design(*input.design, folder.name())
+                                           : effective_file(*input.scene, *input.design, folder.name()));
   check_interrupt();
   folder.commit({"results.h5", "reduced.h5"});
   for (const Done& done : parts) std::cerr << describe(done.part.warnings);
   std::cout << (options.json ? text
-                             : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md" +
+                             : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
                                    (input.asked.run ? ", results.h5}\n" : "}\n"));
   return 0;
 }

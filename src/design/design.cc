@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "case/case_schema.h"
 #include "case/key_units.h"
 #include "design/water_levels.h"
 #include "model/quantities.h"
@@ -21,8 +22,8 @@ Diagnostic ratio_without_force() {
           "add force, the peak of P (N/m), or remove shear_to_force_ratio"};
 }
 
-Diagnostics diagnose(const WaveTable& wave) {
-  Diagnostics list = upbead::diagnose(static_cast<const WaveGiven&>(wave));
+Diagnostics diagnose(const WaveTable& wave, const Section* section) {
+  Diagnostics list = upbead::diagnose(static_cast<const WaveGiven&>(wave), section);
   if (wave.shear_to_force_ratio && !wave.force) list.add(ratio_without_force());
   if (wave.uplift && !wave.force)
     list.add(at_key("uplift"), "'uplift' is that beside a measured or computed 'force', which is not given",
@@ -41,8 +42,9 @@ void report_unless_refused(const std::string& path, const Diagnostics& found, co
 
 void check_section(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (document.find("section"))
-    report_unless_refused("section", diagnose(tables.section), {"weight", "submerged_weight", "width", "centroid"},
-                          document, report);
+    report_unless_refused("section", diagnose(tables.section),
+                          {"weight", "submerged_weight", "width", "centroid", "harbour_level", "crest"}, document,
+                          report);
 }
 
 void check_ground(const DesignTables& tables, const Document& document, Diagnostics& report) {
@@ -63,15 +65,16 @@ void check_ground(const DesignTables& tables, const Document& document, Diagnost
 
 void check_waves(const DesignTables& tables, const Document& document, Diagnostics& report) {
   for (const auto& [name, wave] : tables.waves)
-    report_unless_refused(
-        dotted("waves", name), diagnose(wave),
-        {"height", "significant_height", "deep_water_height", "force", "shear_to_force_ratio", "uplift"}, document,
-        report);
+    report_unless_refused(dotted("waves", name), diagnose(wave, report.sound("section") ? &tables.section : nullptr),
+                          {"height", "significant_height", "deep_water_height", "force", "shear_to_force_ratio",
+                           "uplift", "angle", "direction"},
+                          document, report);
 }
 
-}  // namespace
-
-namespace {
+void check_impact_table(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  report_unless_refused("impact", diagnose(tables.impact, tables.impact.force), {"proverbs", "peak_gain", "force"},
+                        document, report);
+}
 
 /// A copy of the tables is visited, as a visitor may change them.
 NumberedWarnings implausible_numbers(const Design& design) {
@@ -107,15 +110,17 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
   Diagnostics report;
   design_schema().read(design.document.root(), "", design.tables, report);
   design.tables.water.gravity = design.tables.gravity;
-  for (const DesignCheck check : {check_section, check_waves, check_ground, check_water_levels})
+  for (const DesignCheck check : {check_section, check_waves, check_ground, check_water_levels, check_impact_table})
     check(design.tables, design.document, report);
   for (const DesignCheck check : further) check(design.tables, design.document, report);
   report.throw_if_any(path);
+  static_cast<ImpactAssumptions&>(design.tables.impact) = with_force(design.tables.impact, design.tables.impact.force);
   design.implausible = implausible_numbers(design);
   return design;
 }
 
-std::string effective_design(const Design& design, const std::string& output_folder) {
+std::string effective_design(const Design& design, const std::string& output_folder,
+                             const std::vector<std::string>& without) {
   const fs::path folder = fs::absolute(output_folder);
   DesignTables tables = design.tables;
   const auto look_from_folder = [&](std::string& path) {
@@ -126,7 +131,14 @@ std::string effective_design(const Design& design, const std::string& output_fol
   if (tables.dynamics) look_from_folder(tables.dynamics->model);
   if (tables.calibration)
     for (auto& [name, model] : tables.calibration->models) look_from_folder(model.model);
-  return design_schema().echo(tables);
+  return design_schema().echo(tables, without);
+}
+
+std::string effective_file(const Case& problem, const Design& design, const std::string& output_folder) {
+  const std::string text = effective_design(design, output_folder, case_schema().names());
+  const std::size_t tables =
+      std::min(text.find("\n["), text.size());  // keys of the file itself stand before all tables
+  return text.substr(0, tables) + effective_case(problem, output_folder) + text.substr(tables);
 }
 
 std::string design_reference() {

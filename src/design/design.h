@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "design_tables.h"
 #include "upbead/base/numbered_warning.h"
+#include "upbead/case/case.h"
 #include "upbead/expected/life.h"
 #include "upbead/input/document.h"
 #include "upbead/waves/goda.h"
@@ -33,7 +34,11 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
 
 /// The design as TOML with every default written out, and with paths relative to `output_folder`, where it can be run
 /// unchanged.
-std::string effective_design(const Design& design, const std::string& output_folder);
+std::string effective_design(const Design& design, const std::string& output_folder,
+                             const std::vector<std::string>& without = {});
+
+/// One file that is a case and a design, both given as TOML like that; the design's `without` what a case has.
+std::string effective_file(const Case& problem, const Design& design, const std::string& output_folder);
 
 /// Every key of the design file as Markdown.
 std::string design_reference();
@@ -46,6 +51,9 @@ std::vector<InputFile> input_files(const Design& design);
 
 /// Checks what `expected` needs: the tables, the record of sea states, the reduced model.
 void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report);
+
+/// Refuses still water at two levels, for commands that know one.
+void refuse_harbour(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 /// Refuses P of Goda's formula with alpha_I as a force on a reduced model.
 void check_impact(const DesignTables& tables, const Document& document, Diagnostics& report);

@@ -20,30 +20,32 @@ std::vector<std::string> left_to(const TableSchema<T>& of_case, const TableSchem
 
 TableSchema<Water> sea_water_schema() {
   TableSchema<Water> table;
-  table.key("density", &Water::density).unit("kg/m3").range(from_to(1., 1e4)).doc("density of the sea water");
+  table.key("density", &Water::density, "kg/m3", "density of the sea water").range(from_to(1., 1e4));
   table.elsewhere(left_to(fluid_schema(), table));
   return table;
 }
 
 TableSchema<DurationFactor> duration_schema() {
   TableSchema<DurationFactor> table;
-  table.key("a", &DurationFactor::a).range(from_to(0.001, 10.)).doc("exponent a of k = 1 / (alpha*^a + 1)^b, eq. (9)");
-  table.key("b", &DurationFactor::b).range(from_to(0., 100.)).doc("exponent b of k = 1 / (alpha*^a + 1)^b, eq. (9)");
+  table.key("a", &DurationFactor::a, "", "exponent a of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0.001, 10.));
+  table.key("b", &DurationFactor::b, "", "exponent b of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0., 100.));
   return table;
 }
 
 TableSchema<CombinedModel> combined_schema() {
   TableSchema<CombinedModel> table;
-  table.key("added_mass_factor", &CombinedModel::added_mass_factor)
-      .range(from_to(0., 10.))
-      .doc("added mass M_a over rho h'^2; the default is that of rigid walls in incompressible water on both sides");
+  table
+      .key("added_mass_factor", &CombinedModel::added_mass_factor, "",
+           "added mass M_a over rho h'^2; the default is that of rigid walls in incompressible water on both sides")
+      .range(from_to(0., 10.));
   const std::vector<std::pair<std::string, UpliftShape>> shapes{{"in_phase", UpliftShape::in_phase},
                                                                 {"sinusoidal", UpliftShape::sinusoidal}};
-  table.choice("uplift", &CombinedModel::uplift, shapes)
-      .doc("course of U; in_phase: proportional to P; sinusoidal: uplift_gain U sin(2 pi t / T)");
-  table.key("uplift_gain", &CombinedModel::uplift_gain)
+  table.choice("uplift", &CombinedModel::uplift, shapes,
+               "course of U; in_phase: proportional to P; sinusoidal: uplift_gain U sin(2 pi t / T)");
+  table
+      .key("uplift_gain", &CombinedModel::uplift_gain, "",
+           "factor gamma_U of a sinusoidal uplift; unsettled in the sources at hand")
       .range(from_to(0., 100.))
-      .doc("factor gamma_U of a sinusoidal uplift; unsettled in the sources at hand")
       .when(
           "uplift", [](const CombinedModel& model) { return model.uplift == UpliftShape::sinusoidal; },
           "where the uplift is sinusoidal");
@@ -52,41 +54,31 @@ TableSchema<CombinedModel> combined_schema() {
 
 TableSchema<ElasticBase> ground_schema() {
   TableSchema<ElasticBase> table;
-  table.key("stiffness", &ElasticBase::stiffness)
-      .unit("N/m2")
+  table.key("stiffness", &ElasticBase::stiffness, "N/m2", "horizontal stiffness of the ground under the caisson")
       .range(from_to(1., 1e15))
-      .required()
-      .doc("horizontal stiffness of the ground under the caisson");
-  table.key("mass", &ElasticBase::mass)
-      .unit("kg/m")
-      .range(from_to(0., 1e12))
-      .doc("mass of the ground that sways with the bottom");
-  table.key("damping", &ElasticBase::damping)
-      .unit("N s/m2")
-      .range(from_to(0., 1e15))
-      .doc("damping of the ground; needs a mass");
+      .required();
+  table.key("mass", &ElasticBase::mass, "kg/m", "mass of the ground that sways with the bottom")
+      .range(from_to(0., 1e12));
+  table.key("damping", &ElasticBase::damping, "N s/m2", "damping of the ground; needs a mass").range(from_to(0., 1e15));
   return table;
 }
 
 void declare_measured(TableSchema<WaveTable>& table) {
-  table.key("force", &WaveTable::force)
-      .unit("N/m")
+  table.key("force", &WaveTable::force, "N/m", "peak of the wave force P; measured or computed, for sliding")
       .range(from_to(1., 1e12))
-      .fallback("by Goda's formula with alpha_I, an effective sliding force")
-      .doc("peak of the wave force P; measured or computed, for sliding");
-  table.key("shear_to_force_ratio", &WaveTable::shear_to_force_ratio)
+      .fallback("by Goda's formula with alpha_I, an effective sliding force");
+  table
+      .key("shear_to_force_ratio", &WaveTable::shear_to_force_ratio, "",
+           "peak of F_T over the peak of P; only with force, as alpha_I already holds it")
       .range(from_to(0.001, 10.))
-      .fallback("1 with force")
-      .doc("peak of F_T over the peak of P; only with force, as alpha_I already holds it");
-  table.key("uplift", &WaveTable::uplift)
-      .unit("N/m")
+      .fallback("1 with force");
+  table.key("uplift", &WaveTable::uplift, "N/m", "uplift U when F_T is largest; only with force")
       .range(from_to(0., 1e12))
-      .fallback("by Goda's formula")
-      .doc("uplift U when F_T is largest; only with force");
-  table.key("pulse_duration", &WaveTable::pulse_duration)
-      .unit("s")
-      .range(from_to(1e-4, 1e3))
-      .doc("duration of that P as a symmetric triangle, to which [ground] answers; only with force and [ground]");
+      .fallback("by Goda's formula");
+  table
+      .key("pulse_duration", &WaveTable::pulse_duration, "s",
+           "duration of that P as a symmetric triangle, to which [ground] answers; only with force and [ground]")
+      .range(from_to(1e-4, 1e3));
 }
 
 TableSchema<WaveTable> wave_schema() {
@@ -100,14 +92,13 @@ TableSchema<WaveTable> wave_schema() {
 
 TableSchema<DesignTables> design_schema() {
   TableSchema<DesignTables> table;
-  table.key("title", &DesignTables::title).doc("title of the design");
-  table.key("gravity", &DesignTables::gravity).unit("m/s2").range(from_to(0.1, 100.)).doc("acceleration of gravity");
-  table.key("levels", &DesignTables::levels)
-      .unit("m")
-      .range(from_to(-1e4, 1e4))
-      .doc(
-          "water levels by name, above that of the section; for `waves`, which checks every wave at each and names the "
-          "one that governs");
+  table.key("title", &DesignTables::title, "", "title of the design");
+  table.key("gravity", &DesignTables::gravity, "m/s2", "acceleration of gravity").range(from_to(0.1, 100.));
+  table
+      .key("levels", &DesignTables::levels, "m",
+           "water levels by name, above that of the section; for `waves`, which checks every wave at each and names "
+           "the one that governs")
+      .range(from_to(-1e4, 1e4));
   table.table("fluid", &DesignTables::water, sea_water_schema()).doc("Sea water.");
   table.table("section", &DesignTables::section, section_schema())
       .required()
@@ -123,6 +114,8 @@ TableSchema<DesignTables> design_schema() {
   add_expected_tables(table);
   table.table("calibration", &DesignTables::calibration, calibration_schema())
       .doc("For `calibrate`: waves and mounds, every value with every other, and reduced models.");
+  table.table("reliability", &DesignTables::reliability, reliability_schema())
+      .doc("For `reliability`: probabilities of failure in one wave, whose numbers are random.");
   table.table("report", &DesignTables::report, report_table()).doc(report_table_doc);
   table.elsewhere(left_to(case_schema(), table));
   return table;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/formula_wave.h"
+#include "design/reliability_table.h"
 #include "expected/dynamic_law.h"
 #include "input/schema.h"
 #include "input/values.h"
@@ -137,6 +138,7 @@ struct DesignTables : ExpectedTables {
   std::map<std::string, WaveTable> waves;
   std::optional<CalibrationTable> calibration;
   Limits limits;  ///< of `expected` and `waves`
+  std::optional<ReliabilityTable> reliability;
 };
 
 TableSchema<DesignTables> design_schema();

@@ -204,7 +204,15 @@ Uncertainties uncertainties(const ScatterTables& tables) {
   return out;
 }
 
+void refuse_harbour(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  if (report.sound("section") && tables.section.harbour_level != 0.)
+    report.add(document.place("section.harbour_level"),
+               "[section]: harbour_level is for `waves`: expected sliding has sea and harbour at one level",
+               "remove it, or write --set section.harbour_level=0");
+}
+
 void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  refuse_harbour(tables, document, report);
   for (const NamedScatter& named : named_scatters()) check_scatter(named, tables.scatter, document, report);
   check_sea(tables, document, report);
   check_climate(tables, document, report);

@@ -59,11 +59,15 @@ double shortest_rise(const Breakwater& breakwater, const ImpactAssumptions& impa
   double shortest = HUGE_VAL;
   for (const SeaState& state : record) {
     const WaveForces forces(breakwater, state);
+    const Section& section = forces.breakwater().section;
+    const auto breaker = breaker_of(impact, section, forces.wavelength());
     const double threshold = forces.threshold({});
-    const double height = 0.5 * (std::isfinite(threshold) ? threshold : state.significant_height);
+    const double slides = 0.5 * (std::isfinite(threshold) ? threshold : state.significant_height);
+    const double height = std::max(slides, breaker.value_or(0.));  // an impact rises faster than what is lower
     const WavePressure standing = forces.at(height, {}, PressureFormula::standing);
-    const ImpactWave wave = impact_wave(impact, wave_on_wall(height, state.period, standing, forces.at(height, {})),
-                                        breakwater.water, forces.breakwater().section.berm_depth);
+    const ImpactWave wave =
+        impact_wave(impact, wave_on_wall(height, state.period, standing, forces.at(height, {}), breaker),
+                    breakwater.water, section.berm_depth);
     shortest = std::min(shortest, wave.rise);
   }
   return shortest;

@@ -136,8 +136,6 @@ Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& b
 /// Checks of the record and of the lives against [limits], and what makes the numbers doubtful.
 Checks checks_of(const Design& design, const ExpectedAnswer& answer);
 NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer);
-/// For stderr: how the record was read; "" where there is nothing to say.
-std::string notes_of(const ExpectedAnswer& answer);
 /// "213 of 9400 waves (2.3 %)".
 std::string some_of(double some, double all);
 /// What limits the heights: breaking, cut or none.

@@ -23,31 +23,27 @@ const char* const highest_doc =
 
 TableSchema<SeaTable> sea_schema() {
   TableSchema<SeaTable> table;
-  table.key("states", &SeaTable::states)
-      .required()
-      .doc(
-          "path of a CSV file with the columns significant_height (m), period (s), waves (their number), and, on "
-          "demand, "
-          "water_level (m) and angle (degrees)");
-  table.key("years", &SeaTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("time that the sea states cover");
-  table.key("highest", &SeaTable::highest).range(from_to(0.01, 10.)).doc(highest_doc);
-  table.key("heights", &SeaTable::heights).unit("m").doc("heights by name; the waves above each are counted");
+  table
+      .key("states", &SeaTable::states, "",
+           "path of a CSV file with the columns significant_height (m), period (s), waves (their number), and, on "
+           "demand, water_level (m) and angle (degrees)")
+      .required();
+  table.key("years", &SeaTable::years, "years", "time that the sea states cover").range(from_to(1e-3, 1e5));
+  table.key("highest", &SeaTable::highest, "", highest_doc).range(from_to(0.01, 10.));
+  table.key("heights", &SeaTable::heights, "m", "heights by name; the waves above each are counted");
   return table;
 }
 
 TableSchema<LifeTable> life_schema() {
   TableSchema<LifeTable> table;
-  table.key("years", &LifeTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("life of the structure");
-  table.key("simulated_lives", &LifeTable::lives)
+  table.key("years", &LifeTable::years, "years", "life of the structure").range(from_to(1e-3, 1e5));
+  table.key("simulated_lives", &LifeTable::lives, "", "number of lives to simulate")
       .formerly("lives")
-      .range(from_to(2., 1e7))
-      .doc("number of lives to simulate");
-  table.key("seed", &LifeTable::seed)
-      .range(from_to(0., 2147483647.))
-      .doc("seed; the same one gives the same numbers on any number of threads");
-  table.choice("sliding", &LifeTable::sliding, law_words)
-      .fallback("dynamic where [dynamics] gives a model, else exact")
-      .doc("how S follows from a wave");
+      .range(from_to(2., 1e7));
+  table.key("seed", &LifeTable::seed, "", "seed; the same one gives the same numbers on any number of threads")
+      .range(from_to(0., 2147483647.));
+  table.choice("sliding", &LifeTable::sliding, law_words, "how S follows from a wave")
+      .fallback("dynamic where [dynamics] gives a model, else exact");
   return table;
 }
 
@@ -56,27 +52,23 @@ TableSchema<Scatter> scatter_schema() {
     return s.kind == ScatterKind::normal || s.kind == ScatterKind::lognormal;
   };
   TableSchema<Scatter> table;
-  table.choice("kind", &Scatter::kind, scatter_words).doc("distribution");
-  table.key("mean", &Scatter::mean)
+  table.choice("kind", &Scatter::kind, scatter_words, "distribution");
+  table.key("mean", &Scatter::mean, "", "mean before the ends are cut")
       .fallback("1; of water_level 0")
-      .doc("mean before the ends are cut")
       .when("kind", by_moments, "in normal and lognormal");
-  table.key("cov", &Scatter::cov)
+  table.key("cov", &Scatter::cov, "", "standard deviation over mean; or deviation")
       .range(at_least(0.))
-      .doc("standard deviation over mean; or deviation")
       .when("kind", by_moments, "in normal and lognormal");
-  table.key("deviation", &Scatter::deviation)
+  table.key("deviation", &Scatter::deviation, "", "standard deviation; or cov")
       .range(at_least(0.))
-      .doc("standard deviation; or cov")
       .when("kind", by_moments, "in normal and lognormal");
-  table.key("mode", &Scatter::mode)
+  table.key("mode", &Scatter::mode, "", "most likely value")
       .required()
-      .doc("most likely value")
       .when(
           "kind", [](const Scatter& s) { return s.kind == ScatterKind::triangular; }, "in triangular");
-  table.key("low", &Scatter::low).fallback("not cut").doc("least value; normal and lognormal are cut there");
-  table.key("high", &Scatter::high).fallback("not cut").doc("largest value; normal and lognormal are cut there");
-  table.choice("per", &Scatter::per, per_words).doc("how long one draw holds");
+  table.key("low", &Scatter::low, "", "least value; normal and lognormal are cut there").fallback("not cut");
+  table.key("high", &Scatter::high, "", "largest value; normal and lognormal are cut there").fallback("not cut");
+  table.choice("per", &Scatter::per, per_words, "how long one draw holds");
   return table;
 }
 
@@ -96,25 +88,23 @@ TableSchema<ScatterTables> scatters_schema() {
 
 TableSchema<DynamicsTable> dynamics_schema() {
   TableSchema<DynamicsTable> table;
-  table.key("model", &DynamicsTable::model).required().doc("path of a reduced model, made by 'upbead reduce'");
-  table.key("load", &DynamicsTable::load)
-      .fallback("the only one, or that with the largest peak")
-      .doc("name of its load that is the wave");
-  table.key("step", &DynamicsTable::step)
-      .unit("s")
+  table.key("model", &DynamicsTable::model, "", "path of a reduced model, made by 'upbead reduce'").required();
+  table.key("load", &DynamicsTable::load, "", "name of its load that is the wave")
+      .fallback("the only one, or that with the largest peak");
+  table.key("step", &DynamicsTable::step, "s", "step of the answers; auto: from the rise of the waves and the model")
       .range(from_to(1e-5, 1.))
-      .or_word("auto")
-      .doc("step of the answers; auto: from the rise of the waves and the model");
+      .or_word("auto");
   return table;
 }
 
 TableSchema<ImpactTable> impact_schema() {
   TableSchema<ImpactTable> table;
-  table.choice("force", &ImpactTable::force, impact_force_words)
-      .doc("force that the model answers; goda_with_alpha_I is refused, as it already is an effective sliding force");
+  table.choice(
+      "force", &ImpactTable::force, impact_force_words,
+      "force that the model answers; goda_with_alpha_I is refused, as it already is an effective sliding force");
   declare_impact(table);
-  table.choice("uplift", &ImpactTable::uplift, uplift_words)
-      .doc("uplift over time; held: U_max until T/4, then U_max sin(2 pi t/T)");
+  table.choice("uplift", &ImpactTable::uplift, uplift_words,
+               "uplift over time; held: U_max until T/4, then U_max sin(2 pi t/T)");
   return table;
 }
 
@@ -124,49 +114,39 @@ const std::vector<std::pair<std::string, TideKind>> tide_words{{"sinusoidal", Ti
                                                                {"uniform", TideKind::uniform}};
 
 void declare_heights(TableSchema<StormsTable>& table) {
-  table.choice("distribution", &StormsTable::kind, extreme_words)
-      .doc("distribution of H_0', the equivalent deep-water significant height of a storm");
-  table.key("location", &StormsTable::location).unit("m").range(from_to(0., 100.)).required().doc("location of H_0'");
-  table.key("scale", &StormsTable::scale).unit("m").range(from_to(1e-6, 100.)).required().doc("scale of H_0'");
-  table.key("shape", &StormsTable::shape)
+  table.choice("distribution", &StormsTable::kind, extreme_words,
+               "distribution of H_0', the equivalent deep-water significant height of a storm");
+  table.key("location", &StormsTable::location, "m", "location of H_0'").range(from_to(0., 100.)).required();
+  table.key("scale", &StormsTable::scale, "m", "scale of H_0'").range(from_to(1e-6, 100.)).required();
+  table.key("shape", &StormsTable::shape, "", "shape of H_0'")
       .range(from_to(0.2, 100.))
-      .doc("shape of H_0'")
       .when(
           "distribution", [](const StormsTable& s) { return s.kind == ExtremeKind::weibull; }, "in weibull");
 }
 
 void declare_storms(TableSchema<StormsTable>& table) {
-  table.key("per_year", &StormsTable::per_year).range(from_to(1e-6, 1e4)).doc("mean number of storms in a year");
-  table.key("poisson", &StormsTable::poisson).doc("true: their number is random, after Poisson");
-  table.key("duration", &StormsTable::duration).unit("s").range(from_to(1., 1e7)).doc("duration of a storm");
-  table.key("period", &StormsTable::period)
-      .unit("s")
-      .range(from_to(0.01, 1e4))
-      .doc("significant wave period T of all storms; or steepness");
-  table.key("steepness", &StormsTable::steepness)
-      .range(from_to(1e-4, 0.2))
-      .doc("steepness H_0'/L_0, from which T follows; or period");
-  table.key("angle", &StormsTable::angle)
-      .unit("deg")
-      .range(from_to_below(0., 90.))
-      .doc("angle beta between the waves and the wall's normal; already turned by 15 deg towards it");
+  table.key("per_year", &StormsTable::per_year, "", "mean number of storms in a year").range(from_to(1e-6, 1e4));
+  table.key("poisson", &StormsTable::poisson, "", "true: their number is random, after Poisson");
+  table.key("duration", &StormsTable::duration, "s", "duration of a storm").range(from_to(1., 1e7));
+  table.key("period", &StormsTable::period, "s", "significant wave period T of all storms; or steepness")
+      .range(from_to(0.01, 1e4));
+  table.key("steepness", &StormsTable::steepness, "", "steepness H_0'/L_0, from which T follows; or period")
+      .range(from_to(1e-4, 0.2));
+  table
+      .key("angle", &StormsTable::angle, "deg",
+           "angle beta between the waves and the wall's normal; already turned by 15 deg towards it")
+      .range(from_to_below(0., 90.));
 }
 
 TableSchema<StormsTable> storms_schema() {
   TableSchema<StormsTable> table;
   declare_heights(table);
   declare_storms(table);
-  table.key("tide_low", &StormsTable::tide_low)
-      .unit("m")
-      .range(from_to(-100., 100.))
-      .doc("low water above still water");
-  table.key("tide_high", &StormsTable::tide_high)
-      .unit("m")
-      .range(from_to(-100., 100.))
-      .doc("high water above still water");
-  table.choice("tide", &StormsTable::tide, tide_words)
-      .doc("level that a storm meets; sinusoidal: any phase of a sine between the two; uniform: any level");
-  table.key("highest", &StormsTable::highest).range(from_to(0.01, 10.)).doc(highest_doc);
+  table.key("tide_low", &StormsTable::tide_low, "m", "low water above still water").range(from_to(-100., 100.));
+  table.key("tide_high", &StormsTable::tide_high, "m", "high water above still water").range(from_to(-100., 100.));
+  table.choice("tide", &StormsTable::tide, tide_words,
+               "level that a storm meets; sinusoidal: any phase of a sine between the two; uniform: any level");
+  table.key("highest", &StormsTable::highest, "", highest_doc).range(from_to(0.01, 10.));
   return table;
 }
 

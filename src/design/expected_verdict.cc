@@ -271,10 +271,4 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   return list;
 }
 
-std::string notes_of(const ExpectedAnswer& answer) {
-  std::string text;
-  for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
-  return text;
-}
-
 }  // namespace upbead

@@ -16,6 +16,7 @@ struct ModeOfName {
 constexpr ModeOfName modes[] = {
     {"strength", "strength of the ground"},
     {"slip circle", "bearing and slip circles"},
+    {"slip on a plane", "bearing and slip circles"},
     {"sliding by formulas", "sliding landward"},
     {"force against friction", "sliding landward"},
     {"sliding seaward", "sliding seaward"},
@@ -70,9 +71,11 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   std::vector<Disagreement> list;
   for (const SheetRow& first : rows) {
     if (!first.governs || *first.check.holds) continue;
+    Disagreement found{first.mode, text_of(first.check), {}};
     for (const SheetRow& other : rows)
       if (other.mode == first.mode && other.check.holds && *other.check.holds)
-        list.push_back({first.mode, text_of(first.check), text_of(other.check)});
+        found.holds.push_back(name_of(other.check));
+    if (!found.holds.empty()) list.push_back(found);
   }
   return list;
 }
@@ -91,12 +94,11 @@ Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts) {
   sheet.rows = rows_of(sheet.parts);
   sheet.disagreements = disagreements_of(sheet.rows);
   Checks checks;
-  NumberedWarnings warnings;
   for (const SheetPart& part : sheet.parts) {
     append(checks, part.checks);
-    append(warnings, part.warnings);
+    append(sheet.warnings, part.warnings);
   }
-  sheet.verdict = verdict_of(checks, warnings);
+  sheet.verdict = verdict_of(checks, sheet.warnings);
   sheet.not_covered.assign(std::begin(not_covered), std::end(not_covered));
   return sheet;
 }

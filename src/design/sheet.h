@@ -26,9 +26,10 @@ struct SheetRow {
   bool governs = false;  ///< the worst of its mode
 };
 
-/// Two measures of one way to fail, one of which holds. Both stand, and the worse governs.
+/// Measures of one way to fail, of which some hold. All stand, and the worst governs.
 struct Disagreement {
-  std::string mode, fails, holds;  ///< the two checks in words
+  std::string mode, fails;         ///< the check that governs, in words
+  std::vector<std::string> holds;  ///< names of those that hold
 };
 
 struct Sheet {
@@ -36,6 +37,7 @@ struct Sheet {
   std::vector<SheetPart> parts;
   std::vector<SheetRow> rows;  ///< by mode, the governing one first
   std::vector<Disagreement> disagreements;
+  NumberedWarnings warnings;             ///< of all parts
   Verdict verdict;                       ///< of all checks and warnings
   std::vector<std::string> not_covered;  ///< ways to fail that no part looks at
 };
@@ -53,7 +55,7 @@ Compared compared(const Check& check);
 std::string text_of(const Sheet& sheet);
 /// The same as Markdown.
 std::string markdown(const Sheet& sheet);
-/// sheet.json without the summaries of the parts. Throws NumericsError where a number is not finite.
+/// summary.json without the summaries of the parts. Throws NumericsError where a number is not finite.
 Json to_json(const Sheet& sheet);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_sheet();

@@ -1,5 +1,6 @@
 // The sheet as text, as Markdown and as JSON.
 #include <algorithm>
+#include <numeric>
 
 #include "base/text.h"
 #include "design/sheet.h"
@@ -11,19 +12,13 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string name_of(const SheetRow& row) {
-  const Check& check = row.check;
-  return check.name + (check.wave.empty() ? "" : ", wave " + check.wave) +
-         (check.level.empty() ? "" : " at " + check.level);
-}
-
 /// demand, capacity, factor, required, outcome, measure
 Cells cells_of(const SheetRow& row) {
   const Compared c = compared(row.check);
   return {c.demand, c.capacity, c.factor, c.required, c.outcome, row.part + ", " + row.check.by};
 }
 
-const Cells head{"demand", "capacity", "factor", "required", "", "by"};
+const Cells head{"demand", "capacity", "factor", "required", "result", "by"};
 
 std::vector<std::size_t> widths(const Sheet& sheet) {
   std::vector<std::size_t> width;
@@ -44,24 +39,27 @@ std::string line_of(const Cells& cells, const std::vector<std::size_t>& width) {
   return line;
 }
 
-constexpr std::size_t widest_line = 100;
+/// The name, then its cells from the column `begin` on; below it where it is longer.
+std::string entry_of(const std::string& name, const std::string& cells, std::size_t begin) {
+  return name + (name.size() <= begin ? std::string(begin - name.size(), ' ') : "\n" + std::string(begin, ' ')) +
+         cells + "\n";
+}
 
-/// The name, then its cells in the same line where they fit, else below it.
-std::string entry_of(const std::string& name, const std::string& cells) {
-  constexpr std::size_t begin = 34;
-  if (name.size() <= begin && begin + cells.size() <= widest_line)
-    return name + std::string(begin - name.size(), ' ') + cells + "\n";
-  return name + "\n" + std::string(std::min(begin, widest_line - std::min(cells.size(), widest_line)), ' ') + cells +
-         "\n";
+/// Where the cells begin, so that lines have at most 100 columns.
+std::size_t begin_of(const std::vector<std::size_t>& width) {
+  const std::size_t cells = std::accumulate(width.begin(), width.end(), 2 * width.size());
+  constexpr std::size_t widest = 100;
+  return cells < widest ? widest - cells : 0;
 }
 
 std::string table_of(const Sheet& sheet) {
   const std::vector<std::size_t> width = widths(sheet);
-  std::string text = entry_of("way to fail, * what governs it", line_of(head, width)), mode;
+  const std::size_t begin = begin_of(width);
+  std::string text = entry_of("way to fail, * governs", line_of(head, width), begin), mode;
   for (const SheetRow& row : sheet.rows) {
     if (row.mode != mode) text += (mode = row.mode) + "\n";
-    const std::string name = std::string(row.governs ? "* " : "  ") + name_of(row);
-    text += row.check.why_not.empty() ? entry_of(name, line_of(cells_of(row), width))
+    const std::string name = std::string(row.governs ? "* " : "  ") + name_of(row.check);
+    text += row.check.why_not.empty() ? entry_of(name, line_of(cells_of(row), width), begin)
                                       : name + ": not checked: " + row.check.why_not + "\n";
   }
   return text;
@@ -83,7 +81,8 @@ std::string list_of(const std::string& title, const std::vector<std::string>& li
 
 std::vector<std::string> differences(const Sheet& sheet) {
   std::vector<std::string> list;
-  for (const Disagreement& d : sheet.disagreements) list.push_back(d.mode + ": " + d.fails + "; but " + d.holds);
+  for (const Disagreement& d : sheet.disagreements)
+    list.push_back(d.mode + ": " + d.fails + "; but it holds by " + join(d.holds, "; "));
   return list;
 }
 
@@ -103,13 +102,14 @@ OutputSchema<Sheet> sheet_outputs() {
   const auto difference = OutputSchema<Disagreement>()
                               .key("mode", &Disagreement::mode, "", "the way to fail")
                               .key("fails", &Disagreement::fails, "", "the check that governs")
-                              .key("holds", &Disagreement::holds, "", "the check that holds");
+                              .key("holds", &Disagreement::holds, "", "names of those that hold");
   return OutputSchema<Sheet>()
       .key("title", &Sheet::title, "", "that of the file")
       .program()
       .object("verdict", &Sheet::verdict, verdict_outputs(), "what all checks say together")
       .list("parts[]", &Sheet::parts, part, "what the file asks for")
-      .list("rows[]", &Sheet::rows, row_outputs(), "each check, by way to fail, the governing one first")
+      .list("checks[]", &Sheet::rows, row_outputs(), "each check, by way to fail, the governing one first")
+      .list("warnings[]", &Sheet::warnings, warning_outputs(), "[what may be wrong](warnings.md), of all parts")
       .list("disagreements[]", &Sheet::disagreements, difference,
             "measures of one way to fail that differ in whether it holds; the worse governs")
       .key("not_covered", &Sheet::not_covered, "", "ways to fail that the program does not look at")
@@ -133,7 +133,7 @@ std::string markdown(const Sheet& sheet) {
     Cells cells = cells_of(row);
     if (!row.check.why_not.empty()) cells = {"", "", "", "", "not checked: " + row.check.why_not, cells.back()};
     const std::string bold = row.governs ? "**" : "";
-    text += "| " + row.mode + " | " + bold + name_of(row) + bold + " | " + join(cells, " | ") + " |\n";
+    text += "| " + row.mode + " | " + bold + name_of(row.check) + bold + " | " + join(cells, " | ") + " |\n";
   }
   return text +
          list_of("\n## Measures that disagree\n\nBoth stand, and the worse governs.\n", differences(sheet), "- ") +

@@ -80,10 +80,7 @@ GoverningLevels governing(const std::vector<WaveAnswer>& levels) {
       levels,
       [](const WaveAnswer& a, const WaveAnswer& b) { return heel_before(a.stability) < heel_before(b.stability); },
       [](const WaveAnswer& a) { return a.stability.heel_pressure; });
-  const GoverningLevel seaward = least(levels, [](const WaveAnswer& a) {
-    return a.standing.answer ? a.standing.answer->seaward.safety_sliding : HUGE_VAL;
-  });
-  if (std::isfinite(*seaward.value)) worst.seaward = seaward;
+  worst.seaward = least(levels, [](const WaveAnswer& a) { return a.standing.seaward().safety_sliding; });
   return worst;
 }
 
@@ -135,7 +132,7 @@ OutputSchema<GoverningLevels> governing_outputs() {
       .object("heel_pressure", &G::heel_pressure, heel,
               "largest p_e; a level at which the caisson overturns or floats goes before all others")
       .object("trough_safety_sliding", &G::seaward, level("the safety factor there"),
-              "least of the standing wave, seaward; null where there is none at any level");
+              "least seaward, of the trough of the standing wave, or of its bound where there is none");
 }
 
 }  // namespace upbead

@@ -36,7 +36,7 @@ struct GoverningLevel {
 struct GoverningLevels {
   GoverningLevel safety_sliding, safety_overturning;  ///< least
   GoverningLevel heel_pressure;                       ///< largest; where it overturns or floats above all numbers
-  std::optional<GoverningLevel> seaward;              ///< least S.F. in the trough, at levels with a standing wave
+  GoverningLevel seaward;                             ///< least S.F. in the trough of the standing wave, or its bound
 };
 
 /// For one wave at all levels. Of equal values the first level governs; of several levels at which the caisson

@@ -31,6 +31,8 @@ OutputSchema<Section> section_outputs() {
           "centroid", [](const S& s) { return s.centroid.value_or(0.5 * s.width); }, "m",
           "t, from the landward heel to the line of W'")
       .key("friction", &S::friction, "", "mu")
+      .key("harbour_level", &S::harbour_level, "m", "of still water behind the caisson above that of the sea")
+      .key("facing", &S::facing, "degrees", "where the wall looks at, from north; null where it is not given")
       .key("blocks", &S::dissipating_blocks, "", "whether wave-dissipating blocks cover the wall");
 }
 
@@ -100,6 +102,10 @@ OutputSchema<WaveAnswer> sliding_outputs() {
       .object("standing", inner(&A::standing, &StandingResult::answer), standing_outputs(),
               "the standing wave of finite height before the wall; null where there is none")
       .key("why_no_standing", inner(&A::standing, &StandingResult::why_not), "", "why; empty where there is one")
+      .object("trough_bound", inner(&A::standing, &StandingResult::bound), trough_bound_outputs(),
+              "a bound of the trough, after Sainflou (1928), where there is none; null where there is one")
+      .object("impact", &A::impact, impact_outputs(),
+              "by PROVERBS, if the wave breaks on the wall; null unless `impact.force = \"proverbs\"`")
       .list("warnings[]", &A::warnings, warning_outputs(), "[of that wave](waves.md#warnings); may be empty");
 }
 
@@ -114,6 +120,7 @@ OutputSchema<WaveAnswer> answer_outputs() {
   return OutputSchema<A>()
       .keys_of(&A::wave, heights)
       .key("angle", &A::angle, "degrees", "beta")
+      .key("direction", &A::direction, "degrees", "from which it comes, from north; null where `angle` is given")
       .key("wavelength", &A::wavelength, "m", "L")
       .keys_of(&A::pressure, coefficients_outputs())
       .key(

@@ -42,7 +42,7 @@ void set_sliding(const DesignTables& design, double standing_force, WaveAnswer& 
 void set_elastic(const WaveTable& table, const DesignTables& design, WaveAnswer& a) {
   if (!design.ground || !table.pulse_duration) return;
   const Section& s = design.section;
-  const double resistance = s.friction * (s.submerged_weight - a.uplift);
+  const double resistance = a.stability.resistance - s.friction * a.uplift;
   if (resistance <= 0.) return;  // the caisson floats, as a warning says
   a.elastic = slide_on_base(s.weight / design.water.gravity, *design.ground,
                             history({*table.force, *table.pulse_duration}), resistance);
@@ -52,17 +52,21 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   WaveAnswer a;
   a.name = name;
   a.section = design.section;
-  a.angle = table.angle;
+  a.angle = turned_angle(table, design.section);
+  a.direction = table.direction;
+  a.direction_words = describe_direction(table, design.section);
   a.wave = design_wave(table, design.section, design.water);
   const Goda goda(design.section, design.water, a.wave);
   a.wavelength = goda.wavelength();
   a.pressure = goda.at(a.wave.height);
   a.without_alpha_I = goda.at(a.wave.height, PressureFormula::goda);
-  a.stability = stability(design.section, a.pressure);
+  a.stability = stability(design.section, a.pressure, still_water(design.section, design.water));
   set_pulse(table, design, a);
   set_sliding(design, goda.at(a.wave.height, PressureFormula::standing).force, a);
   set_elastic(table, design, a);
   a.standing = standing_answer(design.section, design.water, a.wave);
+  if (design.impact.proverbs)
+    a.impact = breaking_impact(*design.impact.proverbs, design.section, design.water, a.wave, a.wavelength);
   a.warnings = warnings(design.section, design.water, a.wave, a.pressure);
   append(a.warnings, beyond_limits(design.limits, a));
   return a;
@@ -187,7 +191,7 @@ Row at_level(const WaveAnswer& a, const GoverningLevels& worst, const Limits& li
           marked(judged_heel(a.stability, limits), worst.heel_pressure),
           short_number(a.sliding.exact),
           standing ? short_number(standing->landward.safety_sliding) : "-",
-          standing ? marked(short_number(standing->seaward.safety_sliding), *worst.seaward) : "-"};
+          marked(short_number(a.standing.seaward().safety_sliding) + (standing ? "" : " (bound)"), worst.seaward)};
 }
 
 std::string levels_table(const std::vector<WaveAnswer>& answers, const Limits& limits) {
@@ -204,23 +208,54 @@ std::string standing_table(const std::vector<WaveAnswer>& answers, const Limits&
   std::vector<Row> rows{standing_head()};
   std::string none;
   for (const WaveAnswer& a : answers) {
-    if (a.standing.answer)
+    if (a.standing.answer) {
       rows.push_back(standing_row(a.name, *a.standing.answer, limits));
-    else
-      none += a.name + ": " + a.standing.why_not + "\n";
+      continue;
+    }
+    const TroughBound& bound = *a.standing.bound;
+    none += a.name + ": " + a.standing.why_not + "; its trough at most: P " + short_number(-bound.force / 1e3) +
+            " kN/m, S.F. sliding " + short_number(bound.seaward.safety_sliding) + ", p_toe " +
+            judged_heel(bound.seaward, limits) + " kPa (a bound after Sainflou)\n";
   }
   const std::string title =
       "\nStanding wave of finite height, in crest and trough" + note_on(limits) + " (m, kN/m, kPa)\n";
   return title + (rows.size() > 1 ? aligned(rows) : "") + none;
 }
 
-std::string describe(const Section& s) {
+/// A line on still water at two levels; nothing where it has one.
+std::string describe_harbour(const Section& s, const Water& water) {
+  if (s.harbour_level == 0.) return "";
+  const StillWater still = still_water(s, water);
+  return "harbour     " + short_number(s.harbour_level) + " m above the sea: push " + short_number(still.push / 1e3) +
+         " kN/m landward, W' " + short_number(still.weight / 1e3) + " kN/m more; a push against the wave is left out\n";
+}
+
+/// Impacts by PROVERBS, where the design has them.
+std::string impact_table(const std::vector<WaveAnswer>& answers, const DesignTables& design) {
+  std::vector<Row> rows{
+      {"wave", "H_b", "H", "(h-d)/h", "H_1/3/h", "B_eq/L", "share", "F*", "F", "F median", "F SR 443"}};
+  std::string words;
+  for (const WaveAnswer& a : answers) {
+    if (!a.impact) return "";
+    const BreakingImpact& i = *a.impact;
+    Row row{a.name};
+    for (const double value : {i.breaker, a.wave.height, i.relative_mound, i.relative_height, i.relative_berm, i.share,
+                               i.relative_peak, i.peak / 1e3, i.median_peak / 1e3})
+      row.push_back(short_number(value));
+    row.push_back(i.sr443 ? short_number(*i.sr443 / 1e3) : "-");
+    rows.push_back(row);
+    words += a.name + ": " + describe(*design.impact.proverbs, i) + "\n";
+  }
+  return "\nImpacts by PROVERBS, if the waves break on the wall (m, kN/m)\n" + aligned(rows) + words;
+}
+
+std::string describe(const Section& s, const Water& water) {
   return "section     h " + short_number(s.water_depth) + " m, h' " + short_number(s.foundation_depth) + " m, d " +
          short_number(s.berm_depth) + " m, h_c " + short_number(s.crest) + " m, B " + short_number(s.width) +
          " m, B_M " + short_number(s.berm_width) + " m, tan(theta) " + short_number(s.bed_slope) + "\n" +
          "caisson     W " + short_number(s.weight / 1e6) + " MN/m" + ", W' " + short_number(s.submerged_weight / 1e6) +
          " MN/m" + ", mu " + short_number(s.friction) +
-         (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n";
+         (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n" + describe_harbour(s, water);
 }
 
 }  // namespace
@@ -238,7 +273,9 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
 std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers) {
   const DesignTables& design = whole.tables;
   std::string text = design.title.empty() ? "" : design.title + "\n";
-  text += describe(design.section);
+  text += describe(design.section, design.water);
+  for (const WaveAnswer& a : answers)
+    if (!a.direction_words.empty()) text += "direction   " + a.name + ": " + a.direction_words + "\n";
   text += table("Pressure after Goda, with alpha* = max(alpha_2, alpha_I) (m, s, kPa)",
                 {"wave", "H", "H_1/3", "T", "L", "alpha_1", "alpha_2", "alpha_3", "alpha_I", "alpha*", "eta*", "p1",
                  "p3", "p4", "pu"},
@@ -247,6 +284,7 @@ std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers
                 {"wave", "P", "U", "M_P", "M_U", "S.F. sliding", "S.F. overturning", "p_e"}, answers, design.limits,
                 safety);
   text += standing_table(answers, design.limits);
+  text += impact_table(answers, design);
   text += levels_table(answers, design.limits);
   text += table("Sliding by tau_0 = k(alpha*) tau_0F (kN/m, s, m)",
                 {"wave", "F_T", "F_Smax", "r", "tau_0F", "k", "tau_0", "S eq. (7)", "S exact", "S combined"}, answers,

@@ -11,6 +11,7 @@
 #include "output/checks.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
+#include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
@@ -40,10 +41,13 @@ struct WaveAnswer {
   double force = 0., uplift = 0.;  ///< that slide the caisson: F_T and U (N/m)
   double tau_0F = 0., k = 0.;      ///< s, 1
   TriangularPulse pulse;           ///< F_Smax = F_T + mu U (N/m), tau_0 (s)
-  double ratio = 0.;               ///< r = F_Smax / (mu W')
+  double ratio = 0.;               ///< r = F_Smax / Stability::resistance
   SlidingDistances sliding;
   std::optional<ElasticSliding> elastic;  ///< on a ground that sways
   StandingResult standing;                ///< in case the wave does not break
+  std::optional<BreakingImpact> impact;   ///< in case it does; only where the design has impacts by PROVERBS
+  std::optional<double> direction;        ///< from which it comes, as on the chart (degrees)
+  std::string direction_words;            ///< how that became `angle`; "" without one
   NumberedWarnings warnings;
   std::vector<WaveAnswer> levels;            ///< the wave at each level, the highest first, with the section's own
   std::optional<GoverningLevels> governing;  ///< where there are levels

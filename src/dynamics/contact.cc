@@ -20,7 +20,7 @@ class FrictionalContact : public SchemeBase {
   FrictionalContact(const System& system, const SchemeOptions& options);
   std::string name() const override { return "contact"; }
   int order() const override { return 2; }
-  int solves_per_step() const override { return glued_.n_stages(); }
+  int solves_per_step() const override { return bonded_.n_stages(); }
   void start(const State& state) override;
   void advance(State& state, double h) override;
   bool leap(State& state, double h) override;
@@ -34,7 +34,7 @@ class FrictionalContact : public SchemeBase {
   void end_step(const State& state);
   void report();
 
-  Dirk glued_, moving_, impact_;
+  Dirk bonded_, moving_, impact_;
   ContactStage stage_;
   ContactReport report_;
   int fallbacks_before_ = 0;
@@ -50,9 +50,9 @@ const System& checked(const System& system) {
 
 FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options)
     : SchemeBase(checked(system), options),
-      glued_(system, sdirk4_tableau()),
-      moving_(glued_, friction_tableau()),
-      impact_(glued_, euler_tableau()),
+      bonded_(system, sdirk4_tableau()),
+      moving_(bonded_, friction_tableau()),
+      impact_(bonded_, euler_tableau()),
       stage_(system) {
   report_.forces = stage_.now().forces;
 }
@@ -100,7 +100,7 @@ bool FrictionalContact::settled(const State& state) const {
 
 void FrictionalContact::advance(State& state, double h) {
   const bool is_settled = settled(state);
-  if (!(is_settled && stage_.all_stick() && attempt(glued_, 1, StopAt::release, state, h)) &&
+  if (!(is_settled && stage_.all_stick() && attempt(bonded_, 1, StopAt::release, state, h)) &&
       !(is_settled && attempt(moving_, 1, StopAt::impact, state, h)))
     attempt(impact_, 4, StopAt::never, state, h);
   end_step(state);
@@ -111,7 +111,7 @@ void FrictionalContact::advance(State& state, double h) {
 bool FrictionalContact::leap(State& state, double h) {
   constexpr int wait = 2;
   if (steps_at_rest_ < wait) return false;
-  if (attempt(glued_, 1, StopAt::release, state, h)) {
+  if (attempt(bonded_, 1, StopAt::release, state, h)) {
     end_step(state);
     return true;
   }

@@ -9,11 +9,14 @@
 
 namespace upbead {
 
-/// The work of reduce(), one look at a time. The System must outlive the object.
+class GrowingBasis;
+struct Look;
+
+/// The work of reduce(), one look at a time. The System is read by the constructor alone.
 class GrowingModel {
  public:
   /// Throws as reduce() does; so does grow().
-  GrowingModel(const System& system, const ReduceOptions& options);
+  GrowingModel(const System& system, const ReduceOptions& options, BasisRoom* room = nullptr);
   ~GrowingModel();
 
   /// Makes the vectors of the first look, which need no training: most of the work where these are enough.
@@ -25,25 +28,24 @@ class GrowingModel {
   bool grow();
   /// The model of the last look, with its error against the look before; without the parts that only finish() makes.
   const Reduction& reduction() const { return out_; }
+  /// Of the last look.
   const ReducedSystem& system() const;
   /// Completes the result from the last two looks. To be called once.
   Reduction finish();
 
  private:
-  struct Space;
-
-  void reach_target();
+  const Look& look_at(std::size_t number);
   void compare_looks(const ModalModel& model, const ModalModel& kept, const std::vector<Eigen::MatrixXd>& now);
 
   ReduceOptions options_;
-  std::unique_ptr<Space> space_;
+  std::shared_ptr<GrowingBasis> basis_;
   Reduction out_;
   std::vector<SampledLoads> loads_;
   std::vector<Eigen::MatrixXd> before_;  ///< responses at the last look
   ModalModel coarse_;                    ///< of the look before the last
   ModalModel kept_;                      ///< of the coordinates that are kept, at the last look
-  int target_ = 0, most_ = 0;            ///< vectors at the next look, and the most allowed
-  bool exhausted_ = false;
+  const Look* look_ = nullptr;           ///< the last one
+  std::size_t n_looks_ = 0;
 };
 
 }  // namespace upbead

@@ -46,37 +46,37 @@ Vector norm_weight(const SparseMatrix& T, const System& system) {
 
 SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact,
                                      const std::vector<Vector>& kept)
-    : system_(system), shift_(shift) {
+    : n_unknowns_(system.size()), shift_(shift) {
   if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
   products_ = std::make_unique<detail::SymmetricPair>(2. * shift * shift * system.M + shift * system.C,
                                                       shift * shift * system.M);
   const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
-  make_bases(T, exact, kept);
+  make_bases(system, T, exact, kept);
   const Stopwatch watch;
   T_ = std::make_unique<detail::EffectiveMatrix>(system, T);
   factorise_seconds_ = watch.seconds();
-  start();
+  start(system);
 }
 
 SecondOrderKrylov::~SecondOrderKrylov() = default;
 
-void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact,
+void SecondOrderKrylov::make_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact,
                                    const std::vector<Vector>& kept) {
   constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
-  const Vector weight = norm_weight(T, system_);
-  for (int i = 0; i < system_.size(); ++i) (is_phi(system_, i) ? phi_ : u_).unknown.push_back(i);
+  const Vector weight = norm_weight(T, system);
+  for (int i = 0; i < system.size(); ++i) (is_phi(system, i) ? phi_ : u_).unknown.push_back(i);
   for (FieldBasis* basis : {&u_, &phi_}) {
     basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
     for (std::size_t i = 0; i < basis->unknown.size(); ++i)
-      if (basis->unknown[i] >= system_.n_free()) basis->unit[i] = 1.;
+      if (basis->unknown[i] >= system.n_free()) basis->unit[i] = 1.;
     basis->vectors.resize(basis->unit.size(), room);
   }
   const auto keep = [&](int unknown) {
-    FieldBasis& basis = is_phi(system_, unknown) ? phi_ : u_;
+    FieldBasis& basis = is_phi(system, unknown) ? phi_ : u_;
     const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
     add_column(basis, Vector::Unit(basis.unit.size(), local), n_coordinates_++);
   };
-  for (int i = system_.n_free(); i < system_.size(); ++i) keep(i);
+  for (int i = system.n_free(); i < system.size(); ++i) keep(i);
   for (const int i : exact) keep(i);
   for (const Vector& direction : kept) take(direction);
 }
@@ -86,11 +86,11 @@ void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {
   ++n_solves_;
 }
 
-void SecondOrderKrylov::start() {
-  const int n = system_.size();
+void SecondOrderKrylov::start(const System& system) {
+  const int n = system.size();
   Eigen::MatrixXd directions(n, 0);
   std::set<int> prescribed;
-  for (const SystemLoad& load : system_.loads) {
+  for (const SystemLoad& load : system.loads) {
     Vector rhs = Vector::Zero(n), x = Vector::Zero(n);
     if (load.prescribed >= 0) {
       if (!prescribed.insert(load.prescribed).second) continue;
@@ -131,7 +131,7 @@ Vector SecondOrderKrylov::take(const Vector& x) {
 }
 
 Vector SecondOrderKrylov::vector_of(const Eigen::Ref<const Vector>& coordinates) const {
-  Vector x(system_.size());
+  Vector x(n_unknowns_);
   for (const FieldBasis* basis : {&u_, &phi_}) {
     Vector h = Vector::Zero(basis->n());
     for (Eigen::Index j = 0; j < h.size(); ++j)
@@ -161,12 +161,12 @@ bool SecondOrderKrylov::append(const Vector& x, const Eigen::Ref<const Vector>& 
 }
 
 bool SecondOrderKrylov::extend() {
-  Vector x(system_.size());
+  Vector x(n_unknowns_);
   while (n_expanded_ < n_vectors_) {
     check_interrupt();
     const Vector of_x = x_.col(n_expanded_), of_previous = previous_.col(n_expanded_);
     ++n_expanded_;
-    Vector rhs = Vector::Zero(system_.size());
+    Vector rhs = Vector::Zero(n_unknowns_);
     products_->subtract_products(vector_of(of_x), vector_of(of_previous), rhs);
     x.setZero();
     solve(rhs, x);

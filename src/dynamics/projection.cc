@@ -74,8 +74,7 @@ Projection::Projection(const System& system, const SecondOrderKrylov& krylov)
     : Projection(system, krylov.displacements(), krylov.phi(), krylov.shift()) {}
 
 Projection::Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift)
-    : system_(system),
-      u_(make_group(system, displacements)),
+    : u_(make_group(system, displacements)),
       phi_(make_group(system, phi)),
       position_(row_matrix(system.readings, &Reading::position, system.size())),
       velocity_(row_matrix(system.readings, &Reading::velocity, system.size())),
@@ -85,6 +84,7 @@ Projection::Projection(const System& system, const FieldBasis& displacements, co
     return phi_.basis.unit.asDiagonal() * block(A, phi_.basis.unknown, u_.basis.unknown) * u_.basis.unit.asDiagonal();
   };
   C_phiu_ = coupling(system.C);
+  for (const SystemLoad& load : system.loads) loads_.push_back(load.vector);
   if (coupling(system.M).nonZeros() + coupling(system.K).nonZeros() > 0)
     throw std::logic_error("M or K couples phi with displacements: they cannot be projected apart");
   extend();
@@ -150,15 +150,14 @@ void Projection::project_coupling() {
 }
 
 void Projection::project_rows(const Group& group) {
-  Vector x = Vector::Zero(system_.size());
+  Vector x = Vector::Zero(position_.cols());
   for (Eigen::Index c = group.n_projected; c < group.basis.n(); ++c) {
     x(group.basis.unknown) = group.basis.unit.cwiseProduct(group.basis.vectors.col(c));
     const int r = group.basis.coordinate[c];
     reduced_.position.col(r) = position_ * x;
     reduced_.velocity.col(r) = velocity_ * x;
     reduced_.acceleration.col(r) = acceleration_ * x;
-    for (std::size_t k = 0; k < system_.loads.size(); ++k)
-      reduced_.load(r, static_cast<Eigen::Index>(k)) = system_.loads[k].vector.dot(x);
+    for (std::size_t k = 0; k < loads_.size(); ++k) reduced_.load(r, static_cast<Eigen::Index>(k)) = loads_[k].dot(x);
   }
 }
 

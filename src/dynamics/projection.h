@@ -13,7 +13,8 @@ namespace upbead {
 /// of its forces holds to round-off.
 class Projection {
  public:
-  /// System and space must outlive the object. Throws std::logic_error where M or K couples phi with u or W.
+  /// The space must outlive the object; the System is read here alone. Throws std::logic_error where M or K couples phi
+  /// with u or W.
   Projection(const System& system, const SecondOrderKrylov& krylov);
   /// Projects on bases of any space, whose coordinates are numbered across both; `shift`: ReducedSystem::shift.
   Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift);
@@ -35,10 +36,10 @@ class Projection {
   void project_coupling();
   void project_rows(const Group& group);
 
-  const System& system_;
   Group u_, phi_;
   SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W
   SparseMatrix position_, velocity_, acceleration_;  ///< readings x unknowns
+  std::vector<Vector> loads_;                        ///< by unknown
   ReducedSystem reduced_;
 };
 

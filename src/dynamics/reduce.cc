@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "dynamics/basis.h"
 #include "dynamics/growing_model.h"
-#include "dynamics/projection.h"
-#include "dynamics/state_space.h"
-#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
-/// Vectors per independent load at the first look, and the fewest from one look to the next, where a quarter of the
-/// present number is added if that is more: a look takes the eigenvalues of a matrix four times as large as there are
-/// vectors.
-constexpr int first_look = 24, vectors_between_looks = 6;
 constexpr double usual_vectors = 46.;  ///< per independent load: a guess, to show the progress
 /// |H| may differ by this multiple of the tolerance, as it is the smaller model that is wrong by so much.
 constexpr double transfer_tolerance = 4.;
@@ -72,65 +65,6 @@ void compare(const ModalModel& model, const std::vector<int>& measured, const Ei
     const double down = std::abs(fine.row(i).minCoeff() - coarse.row(i).minCoeff());
     error.peak = std::max({error.peak, up / scale[i], down / scale[i]});
   }
-}
-
-ModalModel model_of(const ReduceOptions& options, const ReducedSystem& system) {
-  return options.model ? options.model(system) : modal_model(state_space(system), system);
-}
-
-/// The coordinates that are kept as readings of their own, besides those of the system; -1 stands for one that stays
-/// 0.
-struct KeptCoordinates {
-  std::vector<int> position, velocity, acceleration;
-
-  Eigen::Index count() const {
-    return static_cast<Eigen::Index>(position.size() + velocity.size() + acceleration.size());
-  }
-};
-
-KeptCoordinates kept_coordinates(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi) {
-  if (options.keep_states) {
-    std::vector<int> all(static_cast<std::size_t>(system.size()));
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<int> moving = all;  // x'' of phi is never used, and x'' of a prescribed x' is in no model
-    std::transform(all.begin(), all.end(), moving.begin(), [&](int i) { return system.is_phi[i] ? -1 : i; });
-    return {all, all, moving};
-  }
-  if (options.keep_pressures) return {{}, phi.coordinate, {}};
-  return {};
-}
-
-/// The system with the kept coordinates as its last readings.
-ReducedSystem with_coordinates(ReducedSystem system, const KeptCoordinates& kept) {
-  Eigen::Index row = system.velocity.rows();
-  const Eigen::Index n = row + kept.count();
-  for (Eigen::MatrixXd* rows : {&system.position, &system.velocity, &system.acceleration, &system.feedthrough})
-    rows->conservativeResizeLike(Eigen::MatrixXd::Zero(n, rows->cols()));
-  for (const auto& [rows, coordinates] : {std::pair{&system.position, &kept.position},
-                                          {&system.velocity, &kept.velocity},
-                                          {&system.acceleration, &kept.acceleration}})
-    for (const int i : *coordinates) {
-      if (i >= 0) (*rows)(row, i) = 1.;
-      ++row;
-    }
-  system.reading_label.resize(static_cast<std::size_t>(n));
-  return system;
-}
-
-/// Splits off the last n readings as a model of their own; `model` keeps all others.
-ModalModel split_last(ModalModel& model, Eigen::Index n) {
-  ModalModel last = model;
-  const Eigen::Index rest = model.reading.rows() - n;
-  const auto split = [rest, n](auto& from, auto& to) {
-    to = from.bottomRows(n).eval();
-    from.conservativeResize(rest, Eigen::NoChange);
-  };
-  split(model.reading, last.reading);
-  split(model.feedthrough, last.feedthrough);
-  split(model.impulse, last.impulse);
-  last.reading_label.assign(static_cast<std::size_t>(n), {});
-  model.reading_label.resize(static_cast<std::size_t>(rest));
-  return last;
 }
 
 bool meets(const NestedError& error, const ReduceOptions& options) {
@@ -190,31 +124,22 @@ NestedError compare(const ReduceOptions& options, const std::vector<Eigen::Matri
 
 }  // namespace
 
-struct GrowingModel::Space {
-  Space(const System& system, const ReduceOptions& options)
-      : krylov(system, options.shift, options.exact, options.kept), projection(system, krylov) {}
-
-  SecondOrderKrylov krylov;
-  Projection projection;
-};
-
-GrowingModel::GrowingModel(const System& system, const ReduceOptions& options)
+GrowingModel::GrowingModel(const System& system, const ReduceOptions& options, BasisRoom* room)
     : options_(options),
-      space_(std::make_unique<Space>(system, options)),
+      basis_(room != nullptr ? room->basis(system, options) : std::make_shared<GrowingBasis>(system, options)),
       loads_(trainings(options.training, options.each_load)) {
   out_.tolerance = options.tolerance;
   out_.tolerance_of_others = options.tolerance_of_others;
   out_.measured = options.measured;
-  out_.n_independent_loads = space_->krylov.n_independent_loads();
-  out_.factorise_seconds = space_->krylov.factorise_seconds();
-  most_ = options.max_vectors * out_.n_independent_loads;
-  target_ = std::min(first_look * out_.n_independent_loads, most_);
+  out_.n_independent_loads = basis_->n_independent_loads();
+  out_.n_spared = basis_->has_looks() ? basis_->n_solves() : 0;
+  out_.factorise_seconds = out_.n_spared > 0 ? 0. : basis_->factorise_seconds();
 }
 
 GrowingModel::~GrowingModel() = default;
 
 const ReducedSystem& GrowingModel::system() const {
-  return space_->projection.reduced();
+  return look_->system;
 }
 
 void GrowingModel::compare_looks(const ModalModel& model, const ModalModel& kept,
@@ -228,18 +153,15 @@ void GrowingModel::compare_looks(const ModalModel& model, const ModalModel& kept
   coarse_ = std::move(out_.model);
 }
 
-void GrowingModel::reach_target() {
-  SecondOrderKrylov& krylov = space_->krylov;
+const Look& GrowingModel::look_at(std::size_t number) {
   const double usual = usual_vectors * out_.n_independent_loads;
-  while (krylov.n_vectors() < target_ && !exhausted_) {
-    exhausted_ = !krylov.extend();
-    if (options_.progress) options_.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
-  }
-  space_->projection.extend();
+  return basis_->look(number, [&](int n_vectors) {
+    if (options_.progress) options_.progress(std::min(0.95, n_vectors / usual));
+  });
 }
 
 void GrowingModel::prepare() {
-  reach_target();
+  look_at(0);
 }
 
 void GrowingModel::train(const SampledLoads& training, const std::function<void(double)>& progress) {
@@ -249,20 +171,18 @@ void GrowingModel::train(const SampledLoads& training, const std::function<void(
 }
 
 bool GrowingModel::grow() {
-  if ((exhausted_ && out_.n_vectors > 0) || target_ > most_) return false;
-  reach_target();
-  const SecondOrderKrylov& krylov = space_->krylov;
-  target_ += std::max(vectors_between_looks * out_.n_independent_loads, target_ / 4);
-  out_.n_vectors = krylov.n_vectors();
-  out_.n_solves = krylov.n_solves();
-  const KeptCoordinates coordinates = kept_coordinates(options_, system(), krylov.phi());
-  ModalModel model = model_of(options_, coordinates.count() > 0 ? with_coordinates(system(), coordinates) : system());
-  ModalModel kept = split_last(model, coordinates.count());
-  std::vector<Eigen::MatrixXd> now = responses(model, loads_);
-  compare_looks(model, kept, now);
-  out_.converged = exhausted_ || (!out_.history.empty() && meets(out_.error, options_));
-  out_.model = std::move(model);
-  kept_ = std::move(kept);
+  if (look_ != nullptr && (look_->exhausted || look_->next > options_.max_vectors * out_.n_independent_loads))
+    return false;
+  look_ = &look_at(n_looks_);
+  out_.n_vectors = look_->n_vectors;
+  out_.n_solves = look_->n_solves;
+  Modes modes = options_.model ? Modes{options_.model(system()), {}} : basis_->modes(n_looks_, kept_by(options_));
+  ++n_looks_;
+  std::vector<Eigen::MatrixXd> now = responses(modes.model, loads_);
+  compare_looks(modes.model, modes.kept, now);
+  out_.converged = look_->exhausted || (!out_.history.empty() && meets(out_.error, options_));
+  out_.model = std::move(modes.model);
+  kept_ = std::move(modes.kept);
   before_ = std::move(now);
   return true;
 }
@@ -272,15 +192,15 @@ Reduction GrowingModel::finish() {
     out_.omega = agreed_frequency(coarse_, out_.model, options_.measured, transfer_tolerance * options_.tolerance,
                                   1. / options_.training.time.back(), 100. * options_.shift);
   out_.system = system();
-  const SecondOrderKrylov& krylov = space_->krylov;
-  if (options_.keep_pressures)
-    out_.pressures = PressureModel{krylov.phi(), of_pressures(options_, kept_, krylov.phi())};
-  if (options_.keep_states) out_.states = StateModel{krylov.displacements(), krylov.phi(), std::move(kept_)};
+  out_.n_spared = std::min(out_.n_spared, out_.n_solves);
+  const FieldBasis phi = options_.keep_pressures || options_.keep_states ? basis_->phi(*look_) : FieldBasis();
+  if (options_.keep_pressures) out_.pressures = PressureModel{phi, of_pressures(options_, kept_, phi)};
+  if (options_.keep_states) out_.states = StateModel{basis_->displacements(*look_), phi, std::move(kept_)};
   return std::move(out_);
 }
 
-Reduction reduce(const System& system, const ReduceOptions& options) {
-  GrowingModel model(system, options);
+Reduction reduce(const System& system, const ReduceOptions& options, BasisRoom* room) {
+  GrowingModel model(system, options, room);
   while (!model.reduction().converged && model.grow()) {
   }
   return model.finish();

@@ -21,11 +21,11 @@ ImpactWave DynamicLaw::on_wall(double height, const WaveFactors& factors) const 
   WaveFactors of_uplift = factors;
   of_uplift.force = 1.;
   const Breakwater& breakwater = forces_.breakwater();
-  ImpactWave wave =
-      impact_wave(assumptions_,
-                  wave_on_wall(height, forces_.period(), forces_.at(height, of_uplift, PressureFormula::standing),
-                               forces_.at(height, of_uplift)),
-                  breakwater.water, breakwater.section.berm_depth);
+  ImpactWave wave = impact_wave(
+      assumptions_,
+      wave_on_wall(height, forces_.period(), forces_.at(height, of_uplift, PressureFormula::standing),
+                   forces_.at(height, of_uplift), breaker_of(assumptions_, breakwater.section, forces_.wavelength())),
+      breakwater.water, breakwater.section.berm_depth);
   wave.peak *= factors.force;
   wave.standing_force *= factors.force;
   return wave;
@@ -191,8 +191,14 @@ class Sines {
 
 }  // namespace
 
-WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended) {
-  return {height, period, standing.force, standing.alpha_star, standing.uplift, extended.force};
+WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended,
+                        const std::optional<double>& breaker) {
+  return {height, period, standing.force, standing.alpha_star, standing.uplift, extended.force, breaker};
+}
+
+std::optional<double> breaker_of(const ImpactAssumptions& a, const Section& section, double wavelength) {
+  if (!a.proverbs) return std::nullopt;
+  return breaker_on_wall(*a.proverbs, section, wavelength);
 }
 
 ImpactWave impact_wave(const ImpactAssumptions& a, const WaveOnWall& on_wall, const Water& water, double berm_depth) {
@@ -203,8 +209,15 @@ ImpactWave impact_wave(const ImpactAssumptions& a, const WaveOnWall& on_wall, co
   wave.peak = a.peak_gain ? on_wall.standing_force * (1. + *a.peak_gain * on_wall.alpha_star)
                           : std::max(on_wall.goda_force, on_wall.standing_force);
   wave.uplift = on_wall.uplift;
-  const double relative_peak = wave.peak / (water.density * g * on_wall.height * on_wall.height);  // F*
-  const double rise = a.rise_coefficient * std::sqrt(berm_depth / g) / relative_peak;
+  double height = on_wall.height, relative = a.rise_coefficient;
+  if (a.proverbs && on_wall.breaker && height >= *on_wall.breaker) {
+    height = *on_wall.breaker;
+    relative *= relative_rise(*a.proverbs);
+    const double impact = relative_impact(*a.proverbs, a.proverbs->quantile);
+    wave.peak = std::max(wave.peak, impact * water.density * g * height * height);
+  }
+  const double relative_peak = wave.peak / (water.density * g * height * height);  // F*
+  const double rise = relative * std::sqrt(berm_depth / g) / relative_peak;
   const double duration = rise * (a.duration_least + a.duration_gain * std::exp(-a.duration_decay * rise / T));
   wave.duration = std::min(duration, 0.5 * T);
   wave.rise = std::min(rise, 0.5 * wave.duration);

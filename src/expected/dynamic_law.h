@@ -9,6 +9,7 @@
 #include "dynamics/batch_response.h"
 #include "dynamics/truncate.h"
 #include "upbead/expected/sliding_law.h"
+#include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
@@ -80,6 +81,8 @@ struct ImpactAssumptions {
   /// an effective sliding force, and measured impulsive peaks are several times as large (Shimosako and Takahashi
   /// 1994).
   std::optional<double> peak_gain{};
+  /// P_I = F* rho g H_b^2 in place of that for waves of at least H_b, never below Goda's P.
+  std::optional<ImpactScatter> proverbs{};
   double rise_coefficient = .769;  ///< c in t_r = c sqrt(d/g) / F*; 8.94 x 0.086
   double duration_least = 2.;      ///< t_d/t_r for the slowest rise
   double duration_gain = 8.;       ///< by how much t_d/t_r is larger for the fastest rise
@@ -106,10 +109,16 @@ struct WaveOnWall {
   double alpha_star = 0.;
   double uplift = 0.;      ///< U_max (N/m)
   double goda_force = 0.;  ///< P with alpha* (N/m)
+  /// H_b (m), from which it breaks on the wall; none where P_I asks for none.
+  std::optional<double> breaker{};
 };
 
 /// Of Goda's pressures by alpha_1 alone, and by alpha*.
-WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended);
+WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended,
+                        const std::optional<double>& breaker = {});
+
+/// H_b of impacts by PROVERBS; none without them.
+std::optional<double> breaker_of(const ImpactAssumptions& assumptions, const Section& section, double wavelength);
 
 /// The impulsive wave by these assumptions. `berm_depth`: d (m). Where the triangle would outlast the half period it
 /// ends with it, and rises in at most half its duration.

@@ -16,14 +16,14 @@ using namespace dealii;
 
 namespace {
 
-/// What kinds of region lie behind an outer curve.
-struct Behind {
+/// The kinds of region beside an outer curve.
+struct AdjacentRegions {
   bool known = true, soil = false, pore_water = false, free_water = false, only_free_water = true;
   std::string rigid;  ///< name of a rigid region; "" where there is none
 };
 
-Behind behind(const Checker& checker, const OuterCurve& curve) {
-  Behind found;
+AdjacentRegions adjacent_regions(const Checker& checker, const OuterCurve& curve) {
+  AdjacentRegions found;
   for (const std::string& surface : curve.surfaces) {
     const bool water = checker.is(surface, RegionKind::water);
     found.known = found.known && checker.scene.regions.count(surface) > 0;
@@ -53,7 +53,7 @@ void check_straight(Checker& checker, const std::string& key) {
 }
 
 /// Springs and dashpots need a region that deforms.
-void check_springs(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+void check_springs(Checker& checker, const std::string& key, const Boundary& side, const AdjacentRegions& at) {
   for (const auto& [name, given] : {std::pair{"spring", side.spring}, std::pair{"dashpot", side.dashpot}}) {
     if (!given) continue;
     if (!at.rigid.empty())
@@ -64,7 +64,7 @@ void check_springs(Checker& checker, const std::string& key, const Boundary& sid
   }
 }
 
-void check_displacement(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+void check_displacement(Checker& checker, const std::string& key, const Boundary& side, const AdjacentRegions& at) {
   using D = DisplacementCondition;
   if (side.displacement == D::free) return;
   if (!at.rigid.empty())
@@ -84,7 +84,7 @@ void check_displacement(Checker& checker, const std::string& key, const Boundary
         "say \"roller\" with pressure = \"sealed\", or give a bulk modulus");
 }
 
-void check_pressure(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+void check_pressure(Checker& checker, const std::string& key, const Boundary& side, const AdjacentRegions& at) {
   using P = PressureCondition;
   if (!side.pressure) {
     if (at.pore_water || at.free_water)
@@ -166,7 +166,7 @@ void check_boundaries(Checker& checker) {
   for (const auto& [name, side] : checker.scene.boundaries) {
     const std::string key = "boundaries." + name;
     if (const auto curve = outer.find(name); curve != outer.end()) {
-      const Behind at = behind(checker, curve->second);
+      const AdjacentRegions at = adjacent_regions(checker, curve->second);
       check_displacement(checker, key, side, at);
       check_springs(checker, key, side, at);
       check_pressure(checker, key, side, at);

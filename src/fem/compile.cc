@@ -5,6 +5,7 @@
 #include "fem/assembly.h"
 #include "fem/caisson/readings.h"
 #include "fem/probes.h"
+#include "fem/system_scene.h"
 
 namespace upbead {
 
@@ -69,17 +70,25 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   system.frame_damping = std::move(loads.frame_damping);
   system.frame_radiation = std::move(loads.frame_radiation);
   compiled.loads_on_caisson = std::move(loads.on_caisson);
+  compiled.load_of = std::move(loads.of);
+  return compiled;
+}
+
+CompiledScene with_courses(CompiledScene compiled, const Scene& scene) {
+  for (std::size_t k = 0; k < compiled.load_of.size(); ++k)
+    compiled.system.loads[k].history = scene.loads.at(compiled.load_of[k]).history;
   return compiled;
 }
 
 AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
                               const SoilState& soil, bool with_interface, const Processes* processes) {
-  const auto space = std::make_shared<const Space>(mesh, scene, absent, soil);
+  const Scene part = as_scene(system_scene(scene));
+  const auto space = std::make_shared<const Space>(mesh, part, absent, soil);
   const std::vector<Body> bodies = rigid_bodies(*space);
   const auto nodes = with_interface ? interface_nodes(*space) : std::vector<InterfaceNode>();
-  const auto unknowns = std::make_shared<const Unknowns>(*space, scene, bodies, nodes);
-  return {space, unknowns,
-          std::make_shared<CompiledScene>(compile(scene, *space, *unknowns, bodies, processes, nodes))};
+  const auto unknowns = std::make_shared<const Unknowns>(*space, part, bodies, nodes);
+  CompiledScene compiled = compile(part, *space, *unknowns, bodies, processes, nodes);
+  return {space, unknowns, std::make_shared<const CompiledScene>(with_courses(std::move(compiled), scene))};
 }
 
 }  // namespace upbead

@@ -24,6 +24,7 @@ struct CompiledScene {
   /// system is divided.
   std::vector<Vector> caisson_motions;
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
+  std::vector<std::string> load_of;             ///< per system load: the name of the scene's load
 };
 
 /// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With
@@ -33,14 +34,18 @@ struct CompiledScene {
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                       const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
 
+/// The same, its loads in the course that a scene gives them which differs in nothing else of system_scene.h.
+CompiledScene with_courses(CompiledScene compiled, const Scene& scene);
+
 /// The system of a scene and the data that its equations need; copies share the data.
 struct AssembledScene {
   std::shared_ptr<const Space> space;
   std::shared_ptr<const Unknowns> unknowns;
-  std::shared_ptr<CompiledScene> compiled;
+  std::shared_ptr<const CompiledScene> compiled;
 };
 
-/// A resolved scene compiled on its mesh; `with_interface`: the caisson may slip and lift.
+/// A resolved scene compiled on its mesh; `with_interface`: the caisson may slip and lift. What is assembled is made of
+/// system_scene(scene) alone.
 AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
                               const SoilState& soil, bool with_interface, const Processes* processes = nullptr);
 

@@ -5,6 +5,7 @@
 
 #include "algebra/factorisation.h"
 #include "fem/assembly.h"
+#include "fem/caisson/caisson.h"
 #include "fem/faces.h"
 #include "fem/surcharge.h"
 
@@ -21,14 +22,6 @@ std::vector<bool> water_cells(const Scene& scene, const Mesh& mesh) {
   return absent;
 }
 
-/// Submerged or in air (N/m3); for a rigid body from its mass, spread evenly.
-double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
-  const double rho_f = below_water ? scene.fluid.density : 0.;
-  if (region.kind == RegionKind::porous)
-    return (1. - *region.porosity) * (*region.grain_density - rho_f) * scene.gravity;
-  return (density - rho_f) * scene.gravity;
-}
-
 bool is_cut(const Cell& cell, double level) {
   bool above = false, below = false;
   for (const unsigned v : cell->vertex_indices()) (cell->vertex(v)[1] > level ? above : below) = true;
@@ -36,6 +29,13 @@ bool is_cut(const Cell& cell, double level) {
 }
 
 }  // namespace
+
+double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
+  const double rho_f = below_water ? scene.fluid.density : 0.;
+  if (region.kind == RegionKind::porous)
+    return (1. - *region.porosity) * (*region.grain_density - rho_f) * scene.gravity;
+  return (density - rho_f) * scene.gravity;
+}
 
 Scene at_rest(Scene scene) {
   scene.time.inertia = false;
@@ -109,6 +109,7 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
       for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
     }
   }
+  add_still_water(f);
   if (!of_caisson_alone)
     for_each_surcharge(scene_, space_, [&](const Cell& cell, const std::vector<double>& force) {
       const Dofs dofs = dofs_of(cell);
@@ -116,6 +117,22 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
         for (const auto& [unknown, weight] : unknowns_.expansion(dofs[i])) f[unknown] += weight * force[i];
     });
   return f;
+}
+
+void Ground::add_still_water(Vector& f) const {
+  const std::optional<Caisson> caisson = find_caisson(space_);
+  if (!caisson) return;
+  const StillWater still = still_water(scene_, *caisson);
+  if (still.push == 0. && still.weight == 0.) return;
+  std::size_t b = 0;
+  while (bodies_.at(b).region != caisson_name) ++b;
+  const auto add = [&](Motion motion, double work) { f[unknowns_.coordinate(b, motion)] += work; };
+  // a unit rotation about x_G, overturning landward, moves a point by (y - y_G, -(x - x_G))
+  const double below = caisson->bottom_centre[1] - bodies_[b].centre[1];
+  const double landward = caisson->bottom_centre[0] + caisson->bottom_width / 6. - bodies_[b].centre[0];
+  add(motion_x, still.push);
+  add(motion_y, -still.weight);
+  add(motion_rotation, still.push_moment + still.push * below + still.weight * landward);
 }
 
 double Ground::work_of(const FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const {

@@ -13,6 +13,9 @@ namespace upbead {
 /// The scene at rest: no pressures, no waves, no absorbing sides.
 Scene at_rest(Scene scene);
 
+/// Of a region, submerged or in air (N/m3); `density`: of a body, a rigid one's from its mass, spread evenly.
+double unit_weight(const Region& region, const Scene& scene, double density, bool below_water);
+
 /// The ground that deforms, with given stiffness; without free water. `scene` is the result of at_rest(), and
 /// outlives it.
 class Ground {
@@ -32,6 +35,8 @@ class Ground {
 
  private:
   double work_of(const dealii::FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const;
+  /// Adds what still water at two levels does to a rigid caisson.
+  void add_still_water(Vector& f) const;
   double density(const Cell& cell) const;
   EffectiveStress stress(const Vector& values) const;
 

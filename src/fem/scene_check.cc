@@ -101,6 +101,18 @@ void check_surcharge(Checker& checker, const std::string& name, const Surcharge&
                    "name a curve of the ground's surface, and x of its ends upon it");
 }
 
+/// Still water at two levels acts on a rigid caisson before the wave.
+void check_harbour(Checker& checker) {
+  if (!checker.scene.initial || !checker.scene.initial->harbour_level) return;
+  const std::string key = "initial.harbour_level";
+  if (!checker.scene.initial->water_level)
+    checker.object(key, "the harbour has a level, and the sea has none",
+                   "add water_level, the height y of still water in front of the caisson (m)");
+  if (!checker.is(caisson_name, RegionKind::rigid))
+    checker.object(key, "still water at two levels acts on a rigid caisson, and there is none",
+                   "write [regions.caisson] kind = \"rigid\", or give one level");
+}
+
 /// Weights in still water need a water level.
 void check_initial(Checker& checker) {
   if (checker.scene.initial)
@@ -186,6 +198,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
   check_initial(checker);
+  check_harbour(checker);
   check_yielding(checker);
   check_caisson(checker);
   check_contact(checker);

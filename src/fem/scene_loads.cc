@@ -4,7 +4,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fem/faces.h"
 #include "fem/moving_frame.h"
@@ -153,6 +152,7 @@ class LoadCompiler {
       : scene_(scene), space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), ground_(ground) {}
 
   void add(const std::string& name, const Load& load) {
+    name_ = name;
     if (is_motion(load.kind)) {
       add_motion(name, load);
       return;
@@ -178,6 +178,7 @@ class LoadCompiler {
 
  private:
   void append(SystemLoad load) {
+    out.of.push_back(name_);
     out.on_caisson.push_back({load.name});
     out.on_ground.push_back({});
     out.loads.push_back(std::move(load));
@@ -251,6 +252,7 @@ class LoadCompiler {
   const std::vector<Body>& bodies_;
   const std::optional<Caisson>& caisson_;
   const NodalReaction* ground_;
+  std::string name_;                            ///< of the load that is added
   std::vector<const Load*> arriving_, damped_;  ///< motions of frames that dashpots hang on
 };
 

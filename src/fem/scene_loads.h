@@ -15,6 +15,7 @@ namespace upbead {
 /// All loads; entry i of each list belongs to load i.
 struct SceneLoads {
   std::vector<SystemLoad> loads;
+  std::vector<std::string> of;  ///< the name of the scene's load
   std::vector<LoadOnCaisson> on_caisson;
   /// Forces on the ground's cells; at nodes shared with the caisson they count for the ground, not for P.
   std::vector<NodalForces> on_ground;

@@ -1,7 +1,6 @@
 #include "fem/unknowns.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fem/constraints.h"
 

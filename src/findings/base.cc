@@ -1,5 +1,4 @@
 // What presses on the base: edges, eccentricity, overturning, lift.
-#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"

@@ -11,8 +11,8 @@ namespace upbead {
 
 namespace {
 
-OutputSchema<GluedDemand> demand_outputs() {
-  using D = GluedDemand;
+OutputSchema<BondedDemand> demand_outputs() {
+  using D = BondedDemand;
   const auto slip = [](const D& d) { return std::isfinite(d.slip) ? std::optional(d.slip) : std::nullopt; };
   return OutputSchema<D>()
       .key("slip", slip, "", "largest abs(T) / (mu N); null where a node pulls")
@@ -57,7 +57,7 @@ OutputSchema<ContactSummary> contact_outputs() {
 }
 
 /// Why the bonded solution obeys the law of contact, with the numbers.
-std::string why_glued(const ContactSummary& contact) {
+std::string why_bonded(const ContactSummary& contact) {
   const std::string margin =
       contact.demand.margin > 0. ? ", which may err by " + percent(contact.demand.margin) : std::string();
   return "no node pulls or slips: |T| reaches " + percent(contact.demand.slip) + " of mu N, and N falls to " +
@@ -66,7 +66,7 @@ std::string why_glued(const ContactSummary& contact) {
 
 SkippedList skipped_nodes(const Evidence&, const Summary& summary) {
   if (!summary.contact || summary.contact->solved) return {};
-  return {{"contact node by node", why_glued(*summary.contact)}};
+  return {{"contact node by node", why_bonded(*summary.contact)}};
 }
 
 NumberedWarnings warnings_of_impacts(const Evidence& e, const Summary&) {

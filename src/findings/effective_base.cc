@@ -43,9 +43,14 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
   const auto& sliding = simulation.scene().sliding;
   if (!std::isfinite(level) && !sliding) return std::nullopt;
   RestingForces rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
-  if (!sliding) return rest;
-  rest.moment *= sliding->submerged_weight / rest.force;
-  rest.force = sliding->submerged_weight;
+  if (sliding) {
+    rest.moment *= sliding->submerged_weight / rest.force;
+    rest.force = sliding->submerged_weight;
+  }
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const StillWater still = still_water(simulation.scene(), caisson);
+  rest.force += still.weight;
+  rest.moment += still.push_moment + still.weight * caisson.bottom_width / 6.;  // B/6 landward of the middle
   return rest;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "findings/topics.h"
 #include "output/checks.h"
 
 namespace upbead {
@@ -20,6 +21,7 @@ Finding periods_finding();
 Finding contact_finding();
 Finding sliding_finding();
 Finding base_finding();
+Finding circles_finding();
 Finding harbour_finding();
 Finding strength_finding();
 Finding cavitation_finding();
@@ -31,10 +33,10 @@ namespace {
 
 const std::vector<Finding>& findings() {
   static const std::vector<Finding> rows{
-      discretisation_finding(), rest_finding(),     shear_finding(),       energy_finding(), reduction_finding(),
-      periods_finding(),        sliding_finding(),  yielding_finding(),    base_finding(),   contact_finding(),
-      harbour_finding(),        strength_finding(), cavitation_finding(),  scene_finding(),  densification_finding(),
-      strain_soil_finding(),    ways_finding(),     plausibility_finding()};
+      discretisation_finding(), rest_finding(),        shear_finding(),    energy_finding(),      reduction_finding(),
+      periods_finding(),        sliding_finding(),     yielding_finding(), base_finding(),        circles_finding(),
+      contact_finding(),        harbour_finding(),     strength_finding(), cavitation_finding(),  scene_finding(),
+      densification_finding(),  strain_soil_finding(), ways_finding(),     plausibility_finding()};
   return rows;
 }
 
@@ -42,6 +44,15 @@ std::vector<Finding> with(const std::vector<Finding>& also) {
   std::vector<Finding> all = findings();
   all.insert(all.end(), also.begin(), also.end());
   return all;
+}
+
+/// What a slot of all findings gives, in one list.
+template <class List, class... Given, class... Args>
+List gather(const std::vector<Finding>& all, std::function<List(Given...)> Finding::*slot, const Args&... args) {
+  List list;
+  for (const Finding& finding : all)
+    if (finding.*slot) append(list, (finding.*slot)(args...));
+  return list;
 }
 
 /// A check by formulas, and that of the same question by dynamics.
@@ -114,15 +125,10 @@ Summary find(const Solution& solution, const std::function<void(double)>& progre
     for (const auto& part : finding.parts) part(evidence, summary);
   std::optional<double> peak_time;
   if (summary.response) peak_time = summary.response->peak_shear_time;
-  for (const Finding& finding : all) {
-    if (finding.of_scene) append(summary.warnings, finding.of_scene(*solution.simulation, peak_time));
-    if (finding.skipped_of_scene)
-      append(summary.skipped, finding.skipped_of_scene(*solution.simulation, summary.reduction.has_value()));
-  }
-  for (const Finding& finding : all) {
-    if (finding.warnings) append(summary.warnings, finding.warnings(evidence, summary));
-    if (finding.skipped) append(summary.skipped, finding.skipped(evidence, summary));
-  }
+  summary.warnings = gather(all, &Finding::of_scene, *solution.simulation, peak_time);
+  append(summary.warnings, gather(all, &Finding::warnings, evidence, summary));
+  summary.skipped = gather(all, &Finding::skipped_of_scene, *solution.simulation, summary.reduction.has_value());
+  append(summary.skipped, gather(all, &Finding::skipped, evidence, summary));
   summary.checks = checks_of(evidence.scene, summary, also);
   append(summary.warnings, route_warnings(summary.checks));
   if (!summary.checks.empty()) summary.verdict = verdict_of(summary.checks, summary.warnings);
@@ -136,17 +142,11 @@ Run Simulation::run(const RunOptions& options) const {
 }
 
 NumberedWarnings warnings(const Simulation& simulation, const std::vector<Finding>& also) {
-  NumberedWarnings list;
-  for (const Finding& finding : with(also))
-    if (finding.of_scene) append(list, finding.of_scene(simulation, {}));
-  return list;
+  return gather(with(also), &Finding::of_scene, simulation, std::optional<double>());
 }
 
 std::vector<Skipped> skipped(const Simulation& simulation, bool reduced, const std::vector<Finding>& also) {
-  SkippedList list;
-  for (const Finding& finding : with(also))
-    if (finding.skipped_of_scene) append(list, finding.skipped_of_scene(simulation, reduced));
-  return list;
+  return gather(with(also), &Finding::skipped_of_scene, simulation, reduced);
 }
 
 OutputSchema<Summary> keys_of(const std::vector<Finding>& also) {

@@ -36,11 +36,31 @@ double resistance_of(const Simulation& simulation) {
   return usual_friction * simulation.compiled()->caisson->body.mass * scene.gravity;
 }
 
+/// Whether a level of the case is that of the water in the mesh, where there is some.
+bool is_level_of(const Simulation& simulation, double level, double side) {
+  const double meshed = level_beside(simulation, side);
+  return !std::isfinite(meshed) || std::abs(meshed - level) <= same_level;
+}
+
+/// Whether the case gives both levels, and they are those of the mesh.
+bool is_counted(const Simulation& simulation) {
+  const auto& initial = simulation.scene().initial;
+  return initial && initial->harbour_level && is_level_of(simulation, *initial->water_level, -1.) &&
+         is_level_of(simulation, *initial->harbour_level, 1.);
+}
+
+HarbourSummary given_harbour(const Simulation& simulation) {
+  const InitialState& initial = *simulation.scene().initial;
+  const StillWater still = still_water(simulation.scene(), *simulation.compiled()->caisson);
+  return {*initial.water_level, *initial.harbour_level, still.push, still.weight, true};
+}
+
 /// None without a caisson between two waters of the mesh, where both stand at one level, or where the loads end with
 /// that push: then it is one of them.
 std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
   if (!simulation.compiled()->caisson) return std::nullopt;
-  HarbourSummary h{level_beside(simulation, -1.), level_beside(simulation, 1.), 0., 0.};
+  if (is_counted(simulation)) return given_harbour(simulation);
+  HarbourSummary h{level_beside(simulation, -1.), level_beside(simulation, 1.), 0., 0., false};
   if (!std::isfinite(h.front) || !std::isfinite(h.back) || std::abs(h.front - h.back) <= same_level)
     return std::nullopt;
   const Caisson& caisson = *simulation.compiled()->caisson;
@@ -60,7 +80,7 @@ std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
 /// alone. It voids the verdict unless it is small against mu W'.
 NumberedWarnings harbour_warnings(const Simulation& simulation, const std::optional<double>&) {
   const std::optional<HarbourSummary> h = harbour_of(simulation);
-  if (!h) return {};
+  if (!h || h->counted) return {};
   const double share = std::abs(h->push) / resistance_of(simulation);
   const bool large = share > small_push;
   return {{"harbour_level", h->back, h->front, "m",
@@ -72,8 +92,9 @@ NumberedWarnings harbour_warnings(const Simulation& simulation, const std::optio
                "stresses at "
                "rest, pressures, margins against overturning and sliding distances are those of one level, " +
                (large ? "so that no verdict may be drawn from them" : "which at so small a push changes little"),
-           large ? "give both sides one level (the safe one), or add the push as a load that is held until the end"
-                 : "look whether a margin is so small that this push matters",
+           std::string(large ? "" : "look whether a margin is so small that this push matters, or ") +
+               "give both levels, [initial] water_level = " + significant(h->front, 6) +
+               " and harbour_level = " + significant(h->back, 6) + ": all numbers then have them",
            large}};
 }
 
@@ -88,7 +109,11 @@ OutputSchema<HarbourSummary> harbour_outputs() {
       .key("back", &H::back, "m", "and behind it")
       .key("push", &H::push, "N/m", "of both on the caisson at rest, landward")
       .key("weight_gained", &H::weight_gained, "N/m",
-           "by which W' is more than that in water as high as the higher level; in no other number");
+           "by which W' is more than that in water as high as the sea; where it is not `counted`, as the higher level, "
+           "and "
+           "in no other number")
+      .key("counted", &H::counted, "",
+           "whether stresses at rest, W', margins, pressures and S have both levels, by `initial.harbour_level`");
 }
 
 }  // namespace

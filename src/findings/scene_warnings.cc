@@ -285,10 +285,10 @@ NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
 
 /// Largest error of F_T where the false compliance of a layer exceeds all other: the largest of ten scenes,
 /// docs/warnings.md.
-constexpr double at_most = 0.25, largest_layer_error = 0.05;
+constexpr double whole_layer_error = 0.25, largest_layer_error = 0.05;
 
 std::string cure(const DrainedLayer& layer, int degree) {
-  constexpr double share = largest_layer_error / at_most, ratio = share / (1. - share);
+  constexpr double share = largest_layer_error / whole_layer_error, ratio = share / (1. - share);
   const double skin = layer.skin / layer.stiffness;  // its compliance (m/Pa)
   const double cell = degree * (layer.skin + layer.stiffness * layer.of_the_rest * ratio);
   const bool water_stays = skin <= ratio * (layer.of_the_rest - skin);
@@ -308,7 +308,7 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
   const std::optional<DrainedLayer> layer =
       drained_layer(scene, *simulation.space(), *simulation.compiled()->caisson, 0.5 * duration);
   if (!layer) return {};
-  const double error = at_most * layer->share();
+  const double error = whole_layer_error * layer->share();
   if (error <= largest_layer_error) return {};
   return {{"drained_layer", error, largest_layer_error, "1",
            "water leaves a skin of " + significant(layer->skin, 2) + " m of '" + layer->region + "' into '" +

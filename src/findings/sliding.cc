@@ -79,7 +79,7 @@ SkippedList skipped_slips(const Evidence&, const Summary& summary) {
 
 /// What still water at two levels adds to a force in that direction (1: landward).
 double still_push(const Summary& summary, double side) {
-  return summary.harbour ? side * summary.harbour->push : 0.;
+  return summary.harbour && !summary.harbour->counted ? side * summary.harbour->push : 0.;
 }
 
 std::string about_push(const Summary& summary) {
@@ -99,7 +99,8 @@ Check seaward_check(const Scene& scene, const Summary& summary, const std::strin
   const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
   if (!no_trough || !*check.holds) return check;
   return not_checked(check, "no trough acts: no load pushes the caisson seaward, and its rebound alone, " +
-                                with_unit(*check.demand, "N/m") + ", stays below mu W'");
+                                with_unit(*check.demand, "N/m") + ", stays below mu W'" +
+                                (summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
 Checks sliding_checks(const Scene& scene, const Summary& summary) {

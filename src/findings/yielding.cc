@@ -1,5 +1,4 @@
 // Soil that yields: what it cost, how far it yielded, where the caisson came to rest, denser soils.
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

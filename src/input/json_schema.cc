@@ -164,7 +164,8 @@ Json table_of(const Table& table) {
     if (key.info.required && !key.belongs) required.push_back(key.info.name);
     add_condition(table, key, json);
   }
-  for (const std::string& name : table.elsewhere()) json["properties"][name] = Json::object();
+  for (const std::string& name : table.elsewhere())
+    json["properties"][name] = {{"description", "of another command, which reads the same file"}};
   if (!required.empty()) json["required"] = required;
   return json;
 }

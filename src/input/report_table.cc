@@ -6,16 +6,16 @@ const char* const report_table_doc = "What the author says in the [report](repor
 
 TableSchema<ReportHead> report_table() {
   TableSchema<ReportHead> table;
-  table.key("project", &ReportHead::project).doc("project");
-  table.key("client", &ReportHead::client).doc("client");
-  table.key("author", &ReportHead::author).doc("author, who answers for the numbers");
-  table.key("revision", &ReportHead::revision).doc("revision, such as \"B, 2026-05-04\"");
-  table.key("question", &ReportHead::question).doc("what the client asked, a sentence");
-  table.key("text", &ReportHead::text).doc("the author's own words, in Markdown; \"\"\" \"\"\" for several lines");
-  table.key("logo", &ReportHead::logo).doc("path of a picture for the head: PNG, JPEG or SVG");
+  table.key("project", &ReportHead::project, "", "project");
+  table.key("client", &ReportHead::client, "", "client");
+  table.key("author", &ReportHead::author, "", "author, who answers for the numbers");
+  table.key("revision", &ReportHead::revision, "", "revision, such as \"B, 2026-05-04\"");
+  table.key("question", &ReportHead::question, "", "what the client asked, a sentence");
+  table.key("text", &ReportHead::text, "", "the author's own words, in Markdown; \"\"\" \"\"\" for several lines");
+  table.key("logo", &ReportHead::logo, "", "path of a picture for the head: PNG, JPEG or SVG");
   const std::vector<std::pair<std::string, ReportLanguage>> languages{{"en", ReportLanguage::english},
                                                                       {"ja", ReportLanguage::japanese}};
-  table.choice("language", &ReportHead::language, languages).doc("language of the report; ja: Japanese");
+  table.choice("language", &ReportHead::language, languages, "language of the report; ja: Japanese");
   return table;
 }
 

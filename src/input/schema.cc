@@ -150,10 +150,11 @@ void Table::read(const Node& node, const std::string& path, void* object, Diagno
   }
 }
 
-std::string Table::echo(const void* object, const std::string& path) const {
+std::string Table::echo(const void* object, const std::string& path, const std::vector<std::string>& without) const {
   std::string lines, tables;
   for (const Key& key : keys_) {
     if (key.belongs && !key.belongs(object)) continue;
+    if (std::find(without.begin(), without.end(), key.info.name) != without.end()) continue;
     if (is_value(key)) lines += echo_line(key.info, print(key, object));
     for (const auto& [at, part] : tables_of(key, dotted(path, key.info.name), const_cast<void*>(object)))
       tables += key.table->echo(part, at);

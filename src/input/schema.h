@@ -2,7 +2,7 @@
 // keys, defaults, the echo as TOML, the reference, and the JSON Schema.
 //
 //   TableSchema<Fluid> table;
-//   table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
+//   table.key("density", &Fluid::density, "kg/m3", "density of the water").range(above(0.));
 //
 // Defaults are those of a default-constructed T.
 #pragma once
@@ -49,7 +49,8 @@ class Table {
   Key& add(const std::string& name);
   void leave(const std::vector<std::string>& names) { elsewhere_ = names; }
   void read(const Node& node, const std::string& path, void* object, Diagnostics& report) const;
-  std::string echo(const void* object, const std::string& path) const;
+  /// `without`: keys of this table that are left out.
+  std::string echo(const void* object, const std::string& path, const std::vector<std::string>& without = {}) const;
   void visit_numbers(void* object, const std::string& path, const NumberVisitor& visitor) const;
   /// Every table and key as Markdown, depth first.
   std::string reference(const std::string& path, const std::string& doc) const;
@@ -117,6 +118,11 @@ class TableSchema {
   Entry<T> key(const std::string& name, V Base::*member) {
     return Entry<T>(add_key(name, member));
   }
+  /// With its unit ("" where it has none) and meaning, see Entry::doc().
+  template <class V, class Base>
+  Entry<T> key(const std::string& name, V Base::*member, const std::string& unit, const std::string& meaning) {
+    return key(name, member).unit(unit).doc(meaning);
+  }
 
   /// An enum (or an optional one), written as a word.
   template <class V, class Base, class Enum>
@@ -131,6 +137,11 @@ class TableSchema {
       return {};
     };
     return Entry<T>(key);
+  }
+  template <class V, class Base, class Enum>
+  Entry<T> choice(const std::string& name, V Base::*member, const std::vector<std::pair<std::string, Enum>>& words,
+                  const std::string& meaning) {
+    return choice(name, member, words).doc(meaning);
   }
 
   /// A value that fills one member, or a table that fills another: `name = 1.0` or `name = { ... }`.
@@ -188,7 +199,9 @@ class TableSchema {
     table_->read(node, path, &object, report);
   }
   /// `object` as TOML with all defaults spelled out, readable by read().
-  std::string echo(const T& object) const { return table_->echo(&object, ""); }
+  std::string echo(const T& object, const std::vector<std::string>& without = {}) const {
+    return table_->echo(&object, "", without);
+  }
   /// Passes every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change
   /// it.
   void visit_numbers(T& object, const std::string& path, const NumberVisitor& visitor) const {

@@ -1,6 +1,5 @@
 #include "model/exclusions.h"
 
-#include <algorithm>
 #include <array>
 
 namespace upbead {
@@ -95,6 +94,10 @@ const Feature absorbing_pores{"a side that absorbs waves of the water", [](const
                                 return absorbing(s, &Boundary::pressure, PressureCondition::absorbing, "pressure");
                               }};
 
+const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
+                           return when(s.initial && s.initial->harbour_level, "initial.harbour_level");
+                         }};
+
 constexpr std::array way_names{"`time.scheme = \"reduced\"`", "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",    "`upbead reduce`",
                                "several processes",           "`--checkpoint`",
@@ -124,6 +127,7 @@ const std::vector<Row>& rows() {
       {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
       {Treatment::reduce_command, yielding, "soil that yields has no modes"},
       {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
+      {Treatment::reduce_command, two_levels, "sliding by a model begins without the shear of still water"},
       {Treatment::several_processes, by_reduced, "no reduced model is made"},
       {Treatment::several_processes, early_stop, "no run stops early"},
       {Treatment::several_processes, fields, "no fields are written"},
@@ -135,6 +139,8 @@ const std::vector<Row>& rows() {
       {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
       {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
        "give it kind = \"rigid\", or deformation = \"rigid\""},
+      {Treatment::contact, two_levels, "friction node by node begins without the shear of still water",
+       "write kind = \"bonded\", or give one level"},
       {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
        "write flow = \"auto\" or inertia = true"},
       {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",

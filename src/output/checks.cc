@@ -61,12 +61,12 @@ std::string number_of(const Check& check, double value) {
   return check.unit.empty() ? significant(value, 4) : with_unit(value, check.unit);
 }
 
-std::string words_of(const Check& check) {
+}  // namespace
+
+std::string name_of(const Check& check) {
   return check.name + (check.wave.empty() ? "" : ", wave " + check.wave) +
          (check.level.empty() ? "" : " at " + check.level);
 }
-
-}  // namespace
 
 bool is_worse(const Check& a, const Check& b) {
   return rank(a) != rank(b) ? rank(a) < rank(b) : goodness(a) < goodness(b);
@@ -88,8 +88,8 @@ Checks worst_of_each(const std::vector<Checks>& several) {
 }
 
 std::string text_of(const Check& check) {
-  if (!check.why_not.empty()) return words_of(check) + ": not checked: " + check.why_not;
-  std::string text = words_of(check) + ": " +
+  if (!check.why_not.empty()) return name_of(check) + ": not checked: " + check.why_not;
+  std::string text = name_of(check) + ": " +
                      (check.demand     ? number_of(check, *check.demand)
                       : check.at_least ? "not found"
                                        : "without bound");

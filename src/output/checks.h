@@ -24,6 +24,9 @@ bool is_worse(const Check& a, const Check& b);
 /// Of each check the worst, in the order of the first list; an item of `several` has the checks of one level or time.
 Checks worst_of_each(const std::vector<Checks>& several);
 
+/// "heel pressure p_e, wave design at low".
+std::string name_of(const Check& check);
+
 /// "heel pressure p_e, wave design at low: 562 kPa against 600 kPa: holds, margin 1.07".
 std::string text_of(const Check& check);
 

@@ -20,15 +20,15 @@ namespace {
 
 /// Stops HDF5 from printing each failure to stderr, until the end of the scope: here failures are handled by the
 /// caller.
-class Silence {
+class ErrorsUnprinted {
  public:
-  Silence() {
+  ErrorsUnprinted() {
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+  ~ErrorsUnprinted() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  ErrorsUnprinted(const ErrorsUnprinted&) = delete;
+  ErrorsUnprinted& operator=(const ErrorsUnprinted&) = delete;
 
  private:
   H5E_auto2_t print_ = nullptr;
@@ -118,9 +118,9 @@ std::optional<NumberArray> read_numbers(hid_t data, hid_t type, hid_t space, con
 }
 
 /// Visits the objects of a file.
-class Walk {
+class ContentsReader {
  public:
-  explicit Walk(hid_t file) { visit(file, "", 0); }
+  explicit ContentsReader(hid_t file) { visit(file, "", 0); }
 
   Hdf5Contents contents;
 
@@ -273,7 +273,7 @@ bool has_its_shape(const NumberArray& array) {
 }
 
 Hdf5Contents read_contents(const std::string& path, const std::string& what) {
-  const Silence silence;
+  const ErrorsUnprinted errors_unprinted;
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError({path}, "no HDF5 file", "give " + what);
   const SharedLock lock(path);
   if (lock.refused()) throw InputError({path}, "another program writes to it", "wait until it has been written");
@@ -281,7 +281,7 @@ Hdf5Contents read_contents(const std::string& path, const std::string& what) {
   if (file < 0)
     throw InputError({path}, "an HDF5 file that is not whole, or that another program writes to",
                      "wait until it has been written, or make it again");
-  return std::move(Walk(file).contents);
+  return std::move(ContentsReader(file).contents);
 }
 
 void put(Parcel& parcel, const Hdf5Contents& contents) {

@@ -1,7 +1,6 @@
 #include "model_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "base/numbers.h"

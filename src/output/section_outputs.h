@@ -2,12 +2,19 @@
 #pragma once
 
 #include "output/output_schema.h"
+#include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/standing_stability.h"
 
 namespace upbead {
 
 /// Safety factors and p_e under Goda's pressures with alpha_I.
 OutputSchema<Stability> stability_outputs();
+
+/// A bound of the trough where there is no such wave.
+OutputSchema<TroughBound> trough_bound_outputs();
+
+/// An impact by PROVERBS.
+OutputSchema<BreakingImpact> impact_outputs();
 
 /// The same in a standing wave of finite height, in crest and trough.
 OutputSchema<StandingAnswer> standing_outputs();

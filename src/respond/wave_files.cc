@@ -1,7 +1,6 @@
 #include "respond/wave_files.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>

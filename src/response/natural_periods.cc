@@ -7,8 +7,9 @@
 
 namespace upbead {
 
-std::vector<NaturalPeriod> natural_periods(const ModalModel& model, const std::string& name, const SampledLoads& loads,
-                                           double least_share) {
+std::vector<NaturalPeriod> natural_periods(const ModalModel& model, const std::string& name,
+                                           const SampledLoads& loads) {
+  constexpr double least_share = 0.01;
   const int reading = model.index(name);
   std::vector<Eigen::Index> swinging;
   for (Eigen::Index m = 0; m < model.pole.size(); ++m)

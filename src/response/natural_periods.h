@@ -10,10 +10,9 @@
 namespace upbead {
 
 /// Of all oscillating modes, damped by less than 1/sqrt(2) of critical (with more damping resonance has no peak),
-/// those with a share of at least `least_share` in the reading `name` under these loads, largest share first. A
+/// those with a share of at least 1 % in the reading `name` under these loads, largest share first. A
 /// mode's share is its largest contribution over the sum of the largest contributions of all oscillating modes, also
 /// of modes that cancel each other.
-std::vector<NaturalPeriod> natural_periods(const ModalModel& model, const std::string& name, const SampledLoads& loads,
-                                           double least_share = 0.01);
+std::vector<NaturalPeriod> natural_periods(const ModalModel& model, const std::string& name, const SampledLoads& loads);
 
 }  // namespace upbead

@@ -128,10 +128,10 @@ ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, 
 }
 
 Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
-                       const std::function<void(double)>& progress) {
+                       const std::function<void(double)>& progress, BasisRoom* room) {
   ReduceOptions options = reduce_options(scene, compiled, targets);
   options.progress = progress;
-  return reduce(compiled.system, options);
+  return reduce(compiled.system, options, room);
 }
 
 std::string worst_reading(const Reduction& reduction) {

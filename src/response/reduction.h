@@ -50,9 +50,9 @@ ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, 
 /// readings, unless only F_T is wanted, 10 times the tolerance, or 20 times where a soil is not damped. Without a
 /// caisson all readings must meet the tolerance. The tolerance holds for the smaller of two nested models; the larger
 /// one, which is kept, is better where the space converges quickly, and about as good where it does not. `progress`:
-/// called with 0 to 1 after every solve. Throws NumericsError.
+/// called with 0 to 1 after every solve. `room`: see reduce(). Throws NumericsError.
 Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
-                       const std::function<void(double)>& progress = {});
+                       const std::function<void(double)>& progress = {}, BasisRoom* room = nullptr);
 
 /// Name of the reading with the largest error; "" where there is none.
 std::string worst_reading(const Reduction& reduction);

@@ -14,10 +14,16 @@ Simulation::Parts resolved_on(const Scene& given, std::shared_ptr<const Mesh> me
 /// Checks the scene on the given mesh, and assembles it, for `processes` undivided: see compile(). Throws InputError
 /// at keys of the scene.
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,
-                   std::shared_ptr<const Processes> processes = nullptr);
+                   std::shared_ptr<const Processes> processes = nullptr, const Simulation* before = nullptr);
 
 /// Assembled anew of parts whose scene is resolved; undivided.
 Simulation assembled(Simulation::Parts parts);
+
+/// The same with the System and the room of `before`, where they are those of these parts; else none is returned.
+std::optional<Simulation> taken_over(Simulation::Parts parts, const Simulation& before);
+
+/// The same with room for a basis, which lives as long as the simulation and its copies.
+Simulation with_room(const Simulation& simulation);
 
 /// The same with other soil on the same cells.
 Simulation with_soil(const Simulation& simulation, const SoilState& soil);

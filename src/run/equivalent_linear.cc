@@ -99,7 +99,7 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
   targets.only_shear = true;
   targets.states = true;
   try {
-    const Reduction reduction = reduce_scene(scene, compiled, targets, progress);
+    const Reduction reduction = reduce_scene(scene, compiled, targets, progress, simulation.room().get());
     if (!reduction.converged) return std::nullopt;
     LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
     strains.see(*reduction.states, sampled_loads(scene, compiled.system));
@@ -150,7 +150,7 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
   LinearAnswer last = linear;
   summary.linear = linear.measure;
   while (!summary.converged && summary.iterations < most_iterations) {
-    latest = with_soil(simulation, soil.at(last.strain));
+    latest = with_room(with_soil(simulation, soil.at(last.strain)));  // for the solution, which comes after the last
     const LinearAnswer next = next_answer(linear, latest, soil.follows(), part(summary.iterations + 1));
     ++summary.iterations;
     summary.change = std::abs(next.measure - last.measure) / std::max(next.measure, 1e-300);

@@ -1,8 +1,10 @@
 #include "upbead/run/simulation.h"
 
 #include "base/stopwatch.h"
+#include "dynamics/basis.h"
 #include "fem/compile.h"
 #include "fem/scene_check.h"
+#include "fem/system_scene.h"
 #include "run/accuracy/accuracy.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
@@ -29,9 +31,12 @@ Simulation::Parts resolved_on(const Scene& given, std::shared_ptr<const Mesh> me
   return out;
 }
 
-Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
+Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes,
+                   const Simulation* before) {
   const Stopwatch watch;
-  const Simulation out = assembled(resolved_on(given, std::move(mesh), std::move(processes)));
+  const Simulation::Parts resolved = resolved_on(given, std::move(mesh), std::move(processes));
+  const std::optional<Simulation> kept = before != nullptr ? taken_over(resolved, *before) : std::nullopt;
+  const Simulation out = kept ? *kept : assembled(resolved);
   check_sliding(out);
   check_at_rest(out);
   return out.with([&](auto& parts) { parts.timing.compile = watch.seconds(); });
@@ -43,7 +48,28 @@ Simulation assembled(Simulation::Parts parts) {
   parts.space = std::move(made.space);
   parts.unknowns = std::move(made.unknowns);
   parts.compiled = std::move(made.compiled);
+  parts.room = nullptr;
   return Simulation(std::move(parts));
+}
+
+std::optional<Simulation> taken_over(Simulation::Parts parts, const Simulation& before) {
+  const Simulation::Parts& kept = before.parts();
+  const bool is_same = kept.room && !kept.processes && !parts.processes && kept.mesh == parts.mesh &&
+                       kept.absent == parts.absent && kept.with_interface == parts.with_interface &&
+                       kept.soil_state.shear_modulus == parts.soil_state.shear_modulus &&
+                       kept.soil_state.damping_ratio == parts.soil_state.damping_ratio &&
+                       system_scene(kept.scene) == system_scene(parts.scene);
+  if (!is_same) return std::nullopt;
+  parts.space = kept.space;
+  parts.unknowns = kept.unknowns;
+  parts.compiled = std::make_shared<const CompiledScene>(with_courses(*kept.compiled, parts.scene));
+  parts.room = kept.room;
+  return Simulation(std::move(parts));
+}
+
+Simulation with_room(const Simulation& simulation) {
+  if (simulation.room()) return simulation;
+  return simulation.with([](auto& parts) { parts.room = std::make_shared<BasisRoom>(); });
 }
 
 Simulation with_soil(const Simulation& simulation, const SoilState& soil) {
@@ -60,7 +86,10 @@ Simulation with_given(const Simulation& simulation, const Scene& given) {
 }
 
 Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled) {
-  return simulation.with([&](auto& parts) { parts.compiled = std::move(compiled); });
+  return simulation.with([&](auto& parts) {
+    parts.compiled = std::move(compiled);
+    parts.room = nullptr;
+  });
 }
 
 Simulation bonded(const Simulation& simulation) {
@@ -93,6 +122,7 @@ Simulation divided(const Simulation& simulation) {
   for (int& i : compiled.body_coordinates) i = index[static_cast<std::size_t>(i)];
   return simulation.with([&](auto& parts) {
     parts.compiled = std::make_shared<CompiledScene>(std::move(compiled));
+    parts.room = nullptr;
     parts.timing.compile += watch.seconds();
   });
 }
@@ -103,6 +133,12 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
   check_size(asked);
   *this = divided(asked.mesh.refine ? on_mesh(asked, std::move(on), std::move(among))
                                     : adapted_among(asked, std::move(on), std::move(among)));
+}
+
+Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, const Simulation& before) {
+  check_size(asked);
+  *this = asked.mesh.refine ? on_mesh(asked, std::move(on), nullptr, &before)
+                            : adapted_among(asked, std::move(on), nullptr);
 }
 
 }  // namespace upbead

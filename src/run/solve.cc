@@ -136,13 +136,13 @@ void show(const StateModel& states, const SampledLoads& loads, const std::vector
 }
 
 /// reduce_scene(), once no other thread reads the mesh.
-Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Scene& scene, const CompiledScene& compiled,
+Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Simulation& simulation,
                         const ReductionTargets& targets, const std::function<void(double)>& progress) {
   struct AtEnd {
     const std::shared_ptr<SlipAhead>& ahead;
     ~AtEnd() { ahead->leave_mesh(); }
   } at_end{ahead};
-  return reduce_scene(scene, compiled, targets, progress);
+  return reduce_scene(simulation.scene(), *simulation.compiled(), targets, progress, simulation.room().get());
 }
 
 /// Reduces the scene and computes its response to its own loads. A case that asks for a reduced model gets one whose
@@ -162,8 +162,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
   const ReductionTargets targets{false, false, most_vectors, true, states, true, whole_tolerance(simulation)};
-  Reduction reduction =
-      reduce_beside(ahead, scene, *simulation.compiled(), targets, part_of(progress, 0., reducing_ends));
+  Reduction reduction = reduce_beside(ahead, simulation, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else
@@ -173,6 +172,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   solution.discretisation.why_step = simulation.scene().time.step ? "given in the case, or shorter where loads need it"
                                                                   : "a 32nd of the shortest load, for the record";
   solution.reduction = summary_of(reduction);
+  solution.n_spared = reduction.n_spared;
   if (simulation.compiled()->caisson)
     solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
   solution.model = std::move(reduction.model);

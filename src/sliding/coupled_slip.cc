@@ -160,7 +160,7 @@ class CoupledRun {
   };
 
   const SlipPhase& phase() const { return model_.phase(contact_); }
-  std::size_t state() const { return static_cast<std::size_t>(contact_); }
+  const SlipSteps& steps(std::size_t level) const { return levels_[level].steps[static_cast<std::size_t>(contact_)]; }
   std::size_t finest() const { return levels_.size() - 1; }
   double read(const ModalState& z, int row, const Eigen::VectorXd& load) const {
     const Eigen::Index M = phase().modes.n_modes();
@@ -177,12 +177,13 @@ class CoupledRun {
   }
   /// Moves through one step of a level.
   void pass_step(const LoadStretch& stretch, std::size_t level) {
-    const SlipStep step = levels_[level].steps[state()].advance(z_, stretch.begin, stretch.end, next_);
+    const SlipStep step = steps(level).advance(z_, stretch.begin, stretch.end, next_);
     const Reading now = reading(step.watched, step.normal);
-    if (is_quiet(stretch, now, level)) {
-      if (!stuck()) result_.available += levels_[level].within[state()].work(z_, next_, stretch.begin, stretch.end);
+    const SlipWithin within = stuck() ? SlipWithin() : steps(level).within(z_, next_, stretch.begin, stretch.end);
+    if (is_quiet(within, stretch.length, now, level)) {
+      result_.available += within.work;
       std::swap(z_, next_);
-      return advance(stretch.length, now, stuck() ? 0. : step.distance);
+      return advance(stretch.length, now, within.distance);
     }
     if (stuck() || level == finest()) return follow(stretch, level);
     const Eigen::VectorXd middle = 0.5 * (stretch.begin + stretch.end);
@@ -207,24 +208,23 @@ class CoupledRun {
   }
   /// Whether no change of phase can occur in a step. Adds to `uncertain` what the bends within the step make
   /// uncertain.
-  bool is_quiet(const LoadStretch& stretch, const Reading& end, std::size_t level) {
+  bool is_quiet(const SlipWithin& within, double length, const Reading& end, std::size_t level) {
     if (stuck()) return event_at(contact_, model_.friction, end.shear, end.normal) == SlipEvent::none;
-    const SlipBends bends = levels_[level].within[state()].bends(z_, stretch.begin, stretch.end);
     const double way = direction(contact_), sign = way == 0. ? -1. : 1.;
     const double speed = std::max(std::abs(last_.velocity), std::abs(end.velocity));
-    const double of_normal = bends.normal.slow + bends.normal.fast,
-                 of_speed = bends.velocity.slow + bends.velocity.fast;
+    const double of_normal = within.normal.slow + within.normal.fast,
+                 of_speed = within.velocity.slow + within.velocity.fast;
     const double shear = std::max(std::abs(last_.shear), std::abs(end.shear));
-    const double uncertain = stretch.length * (std::abs(way) * model_.friction * of_normal * (speed + of_speed) +
-                                               0.5 * std::abs(end.shear - last_.shear) * of_speed);
+    const double uncertain = length * (std::abs(way) * model_.friction * of_normal * (speed + of_speed) +
+                                       0.5 * std::abs(end.shear - last_.shear) * of_speed);
     if (level < finest()) {
-      if (!bends.normal.stays_positive(sign * last_.normal, sign * end.normal)) return false;
-      if (way != 0. && !bends.velocity.stays_positive(way * last_.velocity, way * end.velocity)) return false;
-      if (uncertain > tolerable * stretch.length * shear * speed) return false;
+      if (!within.normal.stays_positive(sign * last_.normal, sign * end.normal)) return false;
+      if (way != 0. && !within.velocity.stays_positive(way * last_.velocity, way * end.velocity)) return false;
+      if (uncertain > tolerable * length * shear * speed) return false;
     } else if (event_at(contact_, model_.friction, end.velocity, end.normal) != SlipEvent::none) {
       return false;
     }
-    result_.uncertain += uncertain + bends.work;
+    result_.uncertain += uncertain + within.work_error;
     return true;
   }
   /// Moves through a stretch no longer than a step of a level, from one change of phase to the next.
@@ -242,8 +242,7 @@ class CoupledRun {
       const Eigen::VectorXd begin = stretch.begin;
       stretch.begin += passed * slope;
       stretch.length -= passed;
-      if (!stuck())
-        result_.available += levels_[level].within[state()].work_of_piece(z_, place.z, begin, stretch.begin, passed);
+      if (!stuck()) result_.available += steps(level).work_of_piece(z_, place.z, begin, stretch.begin, passed);
       z_ = std::move(place.z);
       advance(passed, reading_now(stretch.begin), stuck() ? 0. : place.distance);
       if (found.event == SlipEvent::none) return;
@@ -363,8 +362,7 @@ std::vector<SlipLevel> levels_of(const SlipModel& model, double step) {
   const double halvings = std::clamp(std::ceil(std::log2(fastest(model) * step)), 0., most_halvings);
   std::vector<SlipLevel> levels;
   for (int i = 0; i <= static_cast<int>(halvings); ++i, step *= 0.5)
-    levels.push_back({step, of_all_phases([&](ContactState s) { return SlipSteps(model.phase(s), s, step); }),
-                      of_all_phases([&](ContactState s) { return SlipWithinStep(model.phase(s), rows, step); })});
+    levels.push_back({step, of_all_phases([&](ContactState s) { return SlipSteps(model.phase(s), s, rows, step); })});
   return levels;
 }
 
@@ -420,19 +418,11 @@ CoupledSlip::CoupledSlip(SlipModel model, double step)
     : model_(std::move(model)), step_(step), levels_(levels_of(model_, step)) {}
 
 CoupledSliding CoupledSlip::slide(const Eigen::Ref<const WaveSamples>& loads, CoupledHistory* history) const {
-  require(loads.rows() == model_.n_loads() && loads.cols() > 0);
-  const double normal = loads(loads.rows() - 1, 0);
-  CoupledRun run(model_, levels_, normal);
-  if (history) prepare(model_, loads.cols(), normal, *history);
-  LoadStretch stretch{step_, loads.col(0), loads.col(0)};
-  for (Eigen::Index n = 1; n < loads.cols(); ++n) {
-    stretch.begin.swap(stretch.end);
-    stretch.end = loads.col(n);
-    run.pass(stretch, true, n == 1);
-    if (history) run.record(stretch.end, n, *history);
-  }
-  come_to_rest(run, stretch.end, step_, loads.cols());
-  return run.result();
+  require(loads.cols() > 1);
+  const Eigen::Index n = loads.cols() - 1;
+  SampledLoads sampled{std::vector<double>(static_cast<std::size_t>(n + 1)), loads.leftCols(n), loads.rightCols(n)};
+  for (std::size_t i = 0; i < sampled.time.size(); ++i) sampled.time[i] = static_cast<double>(i) * step_;
+  return slide(sampled, history);
 }
 
 CoupledSliding CoupledSlip::slide(const SampledLoads& loads, CoupledHistory* history) const {
@@ -446,7 +436,7 @@ CoupledSliding CoupledSlip::slide(const SampledLoads& loads, CoupledHistory* his
     const double length = loads.time[i + 1] - loads.time[i];
     const bool is_step = std::abs(length - step_) <= 1e-12 * loads.time[i + 1];
     const bool jumps = i == 0 || loads.begin.col(i) != loads.end.col(i - 1);
-    run.pass({length, loads.begin.col(i), loads.end.col(i)}, is_step, jumps);
+    run.pass({is_step ? step_ : length, loads.begin.col(i), loads.end.col(i)}, is_step, jumps);
     if (history) run.record(loads.end.col(i), i + 1, *history);
   }
   come_to_rest(run, loads.end.col(n - 1), step_, n);

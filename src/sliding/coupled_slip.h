@@ -50,7 +50,6 @@ struct CoupledHistory {
 struct SlipLevel {
   double length = 0.;  ///< s
   std::array<SlipSteps, 4> steps;
-  std::array<SlipWithinStep, 4> within;
 };
 
 /// Computes the sliding of one model under any number of waves; const and safe to share between threads.
@@ -71,10 +70,10 @@ class CoupledSlip {
   const SlipModel& model() const { return model_; }
   double step() const { return step_; }
 
-  /// From rest. Loads in rows, the last of them N_0, as in SlipPhase; samples in columns, at t = 0, step, ... A slip
-  /// that goes on at the last sample is followed until it stops, under loads that keep their last values. Throws
-  /// std::invalid_argument where the loads are not the model's, NumericsError where the caisson never stops under
-  /// them, or where too many changes of phase follow each other.
+  /// From rest. Loads in rows, the last of them N_0, as in SlipPhase; two or more samples in columns, at t = 0, step,
+  /// ... A slip that goes on at the last sample is followed until it stops, under loads that keep their last values.
+  /// Throws std::invalid_argument where the loads are not the model's, NumericsError where the caisson never stops
+  /// under them, or where too many changes of phase follow each other.
   CoupledSliding slide(const Eigen::Ref<const WaveSamples>& loads, CoupledHistory* history = nullptr) const;
   /// For loads with times of their own, each of which costs new exponentials, and with jumps.
   CoupledSliding slide(const SampledLoads& loads, CoupledHistory* history = nullptr) const;

@@ -129,25 +129,42 @@ void write_whole(const fs::path& path, const std::string& text) {
   if (!stream || code) cannot_write(path);
 }
 
-/// What runs can share: those with equal `mesh` share a mesh, those with equal `solved` a solution.
+/// What runs can share: those with equal lists up to `mesh` share a mesh, and so on, up to `basis` a basis, up to
+/// `solved` a solution. Only the order of runs follows from it: Runner looks at what the keys make.
 struct Likeness {
   int case_index;
-  std::vector<Setting> mesh, solved;
+  std::vector<Setting> mesh, system, basis, solved;
   int run;
 
+  auto of_solution() const { return std::tie(case_index, mesh, system, basis, solved); }
   bool operator<(const Likeness& other) const {
-    return std::tie(case_index, mesh, solved, run) < std::tie(other.case_index, other.mesh, other.solved, other.run);
+    return std::tuple_cat(of_solution(), std::tie(run)) < std::tuple_cat(other.of_solution(), std::tie(other.run));
   }
 };
 
+bool begins_with(const std::string& text, const std::string& part) {
+  return text.rfind(part, 0) == 0;
+}
+
+bool ends_with(const std::string& text, const std::string& part) {
+  return text.size() >= part.size() && text.compare(text.size() - part.size(), part.size(), part) == 0;
+}
+
+/// The list of the last stage that most likely stays where the key changes; none: what is only told.
+std::vector<Setting> Likeness::*list_of(const std::string& key) {
+  if (begins_with(key, "mesh")) return &Likeness::mesh;
+  if (begins_with(key, "sliding") || begins_with(key, "limits")) return nullptr;
+  if (begins_with(key, "loads"))
+    return ends_with(key, "peak") || ends_with(key, "factor") ? &Likeness::solved : &Likeness::basis;
+  for (const char* course : {"time", "accuracy", "output"})
+    if (begins_with(key, course)) return &Likeness::basis;
+  return &Likeness::system;
+}
+
 Likeness likeness_of(const StudyRun& run, int number) {
-  Likeness likeness{run.case_index, {}, {}, number};
-  for (const Setting& setting : run.settings) {
-    if (setting.first.rfind("mesh", 0) == 0)
-      likeness.mesh.push_back(setting);
-    else if (setting.first.rfind("sliding", 0) != 0)
-      likeness.solved.push_back(setting);
-  }
+  Likeness likeness{run.case_index, {}, {}, {}, {}, number};
+  for (const Setting& setting : run.settings)
+    if (const auto list = list_of(setting.first)) (likeness.*list).push_back(setting);
   return likeness;
 }
 
@@ -209,8 +226,7 @@ std::vector<std::vector<int>> schedule(const Study& study, const Results& result
   std::sort(places.begin(), places.end());
   std::vector<std::vector<int>> pieces;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool alike = i > 0 && std::tie(places[i].case_index, places[i].mesh, places[i].solved) ==
-                                    std::tie(places[i - 1].case_index, places[i - 1].mesh, places[i - 1].solved);
+    const bool alike = i > 0 && places[i].of_solution() == places[i - 1].of_solution();
     if (!alike) pieces.emplace_back();
     pieces.back().push_back(places[i].run);
   }

@@ -10,8 +10,9 @@
 
 namespace upbead {
 
-/// What a run took over from the run before it in the same process.
-enum class Shared { nothing, mesh, solution };
+/// What a run took over from the run before it in the same process: each stage with those before it. Numbers are those
+/// of journals.
+enum class Shared { nothing = 0, mesh = 1, solution = 2, system = 3, basis = 4 };
 
 struct RunResult {
   bool done = false;                          ///< false: it failed, and `message` says why

@@ -9,6 +9,7 @@
 #include "case/case_run.h"
 #include "case/case_schema.h"
 #include "case/script_trust.h"
+#include "run/derived.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
 
@@ -23,10 +24,15 @@ std::string mesh_key_of(const Case& problem) {
   return case_schema().echo(mesh_alone);
 }
 
-/// Everything on which a solution depends: the whole case, without its sliding where that is only told.
+/// Everything on which a solution depends: the whole case, without what is only told, see answer().
 std::string solution_key_of(const Case& problem) {
   CaseTables tables = effective_tables(problem, ".");
   if (!needs_sliding(problem.scene)) tables.sliding_table.reset();
+  const std::optional<double> safety = tables.limits.safety;
+  tables.limits = {};
+  tables.limits.safety = safety;
+  tables.title.clear();
+  tables.report = {};
   return case_schema().echo(tables);
 }
 
@@ -43,10 +49,21 @@ std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared
   if (sharing_ && mesh_ && key == mesh_key_) {
     shared = Shared::mesh;
   } else {
+    before_.reset();
     mesh_ = read_mesh(mesh_request(problem));
     mesh_key_ = key;
   }
   return mesh_;
+}
+
+Simulation Runner::simulation_for(const Case& problem, Shared& shared) {
+  in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
+  const std::shared_ptr<const Mesh> mesh = mesh_for(problem, shared);
+  if (!sharing_ || !mesh) return simulation_of(problem, mesh);
+  const Simulation simulation = with_room(simulation_after(before_ ? &*before_ : nullptr, problem, mesh));
+  if (before_ && simulation.room() == before_->room()) shared = Shared::system;
+  before_ = simulation;
+  return simulation;
 }
 
 Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
@@ -57,11 +74,12 @@ Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhil
     shared = Shared::solution;
   } else {
     solved_.reset();
-    in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
-    const Simulation simulation = simulation_of(problem, mesh_for(problem, shared));
+    const Simulation simulation = simulation_for(problem, shared);
     read_records(problem, simulation);  // their mistakes come before the work
     solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
     solution_key_ = key;
+    const bool of_its_basis = solved_->n_spared > 0 && solved_->simulation->room() == simulation.room();
+    if (shared == Shared::system && of_its_basis) shared = Shared::basis;
   }
   return answer(problem, *solved_, options.progress).summary;
 }

@@ -12,8 +12,10 @@
 
 namespace upbead {
 
-/// Keeps the mesh while runs ask for the same one, and what was solved while runs differ only in [sliding]. Both equal
-/// what the run would have made for itself, so every number is the same to the last bit, whatever ran before.
+/// Keeps the stages of the run before: its mesh, its System, the basis of its reduced model, its Solution. A run enters
+/// at the last stage whose own inputs are the same, and makes the later ones. What is kept equals what the run would
+/// have made for itself, so every number is the same to the last bit, whatever ran before. What a stage depends on:
+/// mesh and Solution in runner.cc, System in fem/system_scene.h, basis in dynamics/basis.h.
 class Runner {
  public:
   /// `trusts_scripts`: see require_trust().
@@ -25,12 +27,14 @@ class Runner {
  private:
   Summary solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
   std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
+  Simulation simulation_for(const Case& problem, Shared& shared);
 
   const Study& study_;
   bool sharing_;
   bool trusts_scripts_;
   std::string mesh_key_, solution_key_;
   std::shared_ptr<const Mesh> mesh_;
+  std::optional<Simulation> before_;  ///< as the run before made it, with its System and the room for its basis
   std::optional<Solution> solved_;
 };
 

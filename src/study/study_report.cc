@@ -60,7 +60,11 @@ Json skipped(const Results& results) {
     if (n > 0) list.push_back({{"what", what + " of " + std::to_string(n) + " runs"}, {"why", why}});
   };
   add(count(results, Shared::mesh), "mesh", "the run before had the same");
-  add(count(results, Shared::solution), "mesh and solution", "the run before differed in [sliding] alone");
+  add(count(results, Shared::system), "mesh and equations",
+      "the run before differed in the course of its loads, in times, scheme, tolerance, output or what is told");
+  add(count(results, Shared::basis), "mesh, equations and basis",
+      "the run before had loads of the same shortest duration, too");
+  add(count(results, Shared::solution), "mesh and solution", "the run before differed in what is only told");
   return list;
 }
 

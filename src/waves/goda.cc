@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "base/numbers.h"
 #include "base/text.h"
@@ -98,6 +96,11 @@ Diagnostics diagnose(const Section& s) {
              "centroid = " + significant(*s.centroid, 6) +
                  " m lies outside the caisson, width = " + significant(s.width, 6) + " m",
              "give the distance from the landward heel to the line of W' (m)");
+  if (s.harbour_level > s.crest)
+    list.add(at_key("harbour_level"),
+             "harbour_level = " + significant(s.harbour_level, 6) +
+                 " m is above the crest = " + significant(s.crest, 6) + " m",
+             "give the height of the harbour's still water above that of the sea (m)");
   return list;
 }
 
@@ -127,21 +130,33 @@ double alpha_I0(double height, double berm_depth) {
   return std::min(height / berm_depth, 2.);
 }
 
-Stability stability(const Section& section, const WavePressure& pressure) {
+StillWater still_water(const Section& section, const Water& water) {
+  const double front = section.foundation_depth;
+  return still_water(front, front + section.harbour_level, section.width, water.density * water.gravity);
+}
+
+TurnedAngle turned_angle(double direction, double facing) {
+  constexpr double most_turned = 15.;  // degrees, Goda (2000)
+  const double to_normal = std::abs(std::remainder(direction - facing, 360.));
+  return {to_normal, std::max(to_normal - most_turned, 0.)};
+}
+
+Stability stability(const Section& section, const WavePressure& pressure, const StillWater& still) {
   const double t = section.centroid.value_or(0.5 * section.width);
-  const double vertical = section.submerged_weight - pressure.uplift;
-  const double resisting = section.submerged_weight * t - pressure.uplift_moment;
+  const double push = std::max(still.push, 0.), moment = pressure.force_moment + std::max(still.push_moment, 0.);
+  const double vertical = section.submerged_weight + still.weight - pressure.uplift;
+  const double resisting = section.submerged_weight * t + still.weight * section.width / 3. - pressure.uplift_moment;
   Stability s;
-  s.safety_sliding = section.friction * vertical / pressure.force;
-  s.safety_overturning = resisting / pressure.force_moment;
+  s.safety_sliding = section.friction * vertical / (pressure.force + push);
+  s.safety_overturning = resisting / moment;
   // t_e = (W' t - M_U - M_P)/(W' - U) is the resultant's distance from the heel
-  const double about_the_middle = 0.5 * section.width * vertical - (resisting - pressure.force_moment);
+  const double about_the_middle = 0.5 * section.width * vertical - (resisting - moment);
   if (vertical > 0.) s.heel_pressure = edge_pressures(vertical, about_the_middle, section.width).landward;
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
-  s.resistance = section.friction * section.submerged_weight;
+  s.resistance = section.friction * (section.submerged_weight + still.weight) - push;
   s.ratio = s.sliding_force / s.resistance;
-  s.force = pressure.force;
-  s.moment = pressure.force_moment;
+  s.force = pressure.force + push;
+  s.moment = moment;
   return s;
 }
 

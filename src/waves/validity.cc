@@ -10,8 +10,8 @@ namespace upbead {
 
 namespace {
 
-/// The data that all checks below use.
-struct Situation {
+/// A wave before its wall, as all checks below use it.
+struct CheckedWave {
   const Section& section;
   const Water& water;
   const DesignWave& wave;
@@ -26,7 +26,7 @@ std::string metres(double value) {
 /// Where Deltares' coastal-structures-toolbox 1.0.0 says that Goda's formulas do not apply: waves that break on a
 /// steep bed, and waves that break on a high mound. The toolbox takes H_0'/L_0; here H_1/3 at the wall over L_0 is
 /// used.
-bool may_break_impulsively(const Situation& s) {
+bool may_break_impulsively(const CheckedWave& s) {
   const double angle = s.wave.angle / boost::math::constants::degree<double>();
   const double berm = s.section.berm_width / s.L, Hs = s.wave.significant_height;
   if (angle >= 20. || s.section.crest / Hs <= 0.3) return false;
@@ -35,7 +35,7 @@ bool may_break_impulsively(const Situation& s) {
   return on_the_bed || on_the_mound;
 }
 
-void judge_wave(const Situation& s, NumberedWarnings& list) {
+void judge_wave(const CheckedWave& s, NumberedWarnings& list) {
   const double H = s.wave.height, h = s.section.water_depth;
   if (may_break_impulsively(s))
     list.push_back({"impulsive_breaking", 0., 0., "",
@@ -67,7 +67,7 @@ void judge_wave(const Situation& s, NumberedWarnings& list) {
 
 /// The usual mistake is kN for N, or W in place of W'; a footing or rounded corners change the buoyancy by less than
 /// a fifth.
-void judge_weight(const Situation& s, NumberedWarnings& list) {
+void judge_weight(const CheckedWave& s, NumberedWarnings& list) {
   const Section& c = s.section;
   const double given = c.weight - c.submerged_weight;
   const double displaced = s.water.density * s.water.gravity * c.foundation_depth * c.width;
@@ -78,7 +78,7 @@ void judge_weight(const Situation& s, NumberedWarnings& list) {
                     "check the units of weight and submerged_weight (N/m), and which of them is in water"});
 }
 
-void judge_section(const Situation& s, NumberedWarnings& list) {
+void judge_section(const CheckedWave& s, NumberedWarnings& list) {
   const Section& c = s.section;
   if (c.bed_slope > 0.1 || c.bed_slope < 0.01)
     list.push_back({"bed_slope", c.bed_slope, c.bed_slope > 0.1 ? 0.1 : 0.01, "1",
@@ -95,7 +95,7 @@ void judge_section(const Situation& s, NumberedWarnings& list) {
                     "check foundation_depth and water_depth (both from still water down)"});
 }
 
-void judge_pressure(const Situation& s, double depth_b, NumberedWarnings& list) {
+void judge_pressure(const CheckedWave& s, double depth_b, NumberedWarnings& list) {
   const WavePressure& p = s.pressure;
   if (depth_b <= s.section.berm_depth)
     list.push_back({"alpha_2_clamped", depth_b, s.section.berm_depth, "m",
@@ -117,7 +117,7 @@ void judge_pressure(const Situation& s, double depth_b, NumberedWarnings& list) 
                     "eta* = " + metres(p.eta_star) +
                         " does not rise above the crest, h_c = " + metres(s.section.crest) + ": p4 = 0",
                     "check crest where the wave is to overtop"});
-  const double safety = stability(s.section, p).safety_overturning;
+  const double safety = stability(s.section, p, still_water(s.section, s.water)).safety_overturning;
   if (p.uplift < s.section.submerged_weight && safety < 1.)
     list.push_back({"overturns", safety, 1., "1",
                     "the safety factor against overturning is " + significant(safety) +
@@ -133,12 +133,12 @@ void judge_pressure(const Situation& s, double depth_b, NumberedWarnings& list) 
 
 NumberedWarnings warnings(const Section& section, const Water& water, const DesignWave& wave,
                           const WavePressure& pressure) {
-  const Situation s{section,
-                    water,
-                    wave,
-                    pressure,
-                    wavelength(wave.period, section.water_depth, water.gravity),
-                    deep_water_wavelength(wave.period, water.gravity)};
+  const CheckedWave s{section,
+                      water,
+                      wave,
+                      pressure,
+                      wavelength(wave.period, section.water_depth, water.gravity),
+                      deep_water_wavelength(wave.period, water.gravity)};
   NumberedWarnings list;
   judge_wave(s, list);
   judge_section(s, list);

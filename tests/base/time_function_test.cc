@@ -120,6 +120,21 @@ TEST(Extremum, IsFoundAtAJump) {
   EXPECT_EQ(extremum(f, 0., 3., 1).time, 2.);
 }
 
+TEST(Repeated, IsTheFunctionAgainEachPeriod) {
+  const TimeFunction pulse = piecewise_linear({0.1, 0.3, 0.7}, {0., 2., 0.});
+  const TimeFunction row = repeated(pulse, 3, 0.8);
+  for (int k = 0; k < 3; ++k)
+    for (const double t : {0.05, 0.1, 0.2, 0.3, 0.5, 0.69}) EXPECT_NEAR(row(t + 0.8 * k), pulse(t), 1e-14);
+  EXPECT_EQ(row(3.), 0.);
+  EXPECT_EQ(row.kinks().size(), 9U);
+  EXPECT_NEAR(integral(row, 0., 3.), 3. * integral(pulse, 0., 1.), 1e-12);
+  EXPECT_EQ(extremum(row, 0., 3., 1).time, 0.3) << "the first of equal peaks is the largest, to the last digit";
+  EXPECT_EQ(extremum(row, 0., 3., 1).value, 2.);
+  const TimeFunction close = repeated(pulse, 2, 0.6);
+  EXPECT_NEAR(close(0.75), pulse(0.15), 1e-14) << "pulses that touch";
+  EXPECT_THROW(repeated(pulse, 2, 0.5), std::invalid_argument);
+}
+
 TEST(IsRough, TellsANoisyRecordFromADrawnOrSmoothOne) {
   std::vector<double> time, smooth, noisy;
   for (int i = 0; i <= 400; ++i) {

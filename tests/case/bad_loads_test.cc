@@ -16,6 +16,12 @@ const std::vector<BadCase> rows{
     BadCase{"NeitherBoundaryNorRegion", "boundary = \"front\"\n", "",
             "case.toml:46:8: [loads.impact]: neither 'boundary' nor 'region' is given; add boundary or region"},
     BadCase{
+        "RowWithoutPeriod", "start = 0.01", "start = 0.01\nnumber = 5",
+        "case.toml:52:15: [loads.impact]: 'period' is missing, which number > 1 needs; add period, from one pulse to "
+        "the next (s)"},
+    BadCase{"RowOfOverlappingPulses", "start = 0.01", "start = 0.01\nnumber = 5\nperiod = 2.0",
+            "case.toml:59:1: [loads.impact]: period = 2 s is shorter than a pulse, 3 s; give at least that"},
+    BadCase{
         "UnknownBoundary", "boundary = \"front\"", "boundary = \"frnt\"",
         "case.toml:47:1: [loads.impact]: boundary = \"frnt\" has no table [boundaries.frnt]; did you mean 'front'?"},
     BadCase{"UnknownRegion", "region = \"caisson\"", "region = \"pier\"",

@@ -82,6 +82,28 @@ const std::vector<BadCase> rows{
         wave_load("wave = { height = 8.0, period = 12.0, course = \"sine\", force = \"impulse\" }\n"),
         "case.toml:49:56: 'force' does not belong in [loads.impact.wave] (only where course = \"church_roof\"); remove "
         "it"},
+    BadCase{"DirectionWithoutFacing", pulse,
+            wave_load("wave = { height = 8.0, period = 12.0, course = \"sine\", direction = 250 }\n"),
+            "case.toml:49:56: [loads.impact]: 'direction' is given, but not where the wall looks at; add facing to "
+            "[section], the direction of the wall's seaward normal, in degrees from north"},
+    BadCase{"WaveFromBehind", pulse,
+            wave_load("wave = { height = 8.0, period = 12.0, course = \"sine\", direction = 10 }\n",
+                      section_table + "facing = 230\n"),
+            "case.toml:49:56: [loads.impact]: the wave comes from 10 degrees, 140 degrees to the wall's normal: it "
+            "does not "
+            "meet the wall; give where the wave comes from, and where the wall looks at (degrees from north)"},
+    BadCase{
+        "ProverbsForAnotherForce", pulse,
+        wave_load("wave = { height = 8.0, period = 12.0, course = \"church_roof\", impact = { proverbs = {} } }\n"),
+        "case.toml:49:74: [loads.impact]: 'proverbs' is given, but the peak is not by it; write force = \"proverbs\""},
+    BadCase{"SeveralStandingWaves", pulse,
+            wave_load("wave = { height = 4.0, period = 12.0, course = \"standing\", number = 2 }\n"),
+            "case.toml:49:60: [loads.impact]: a standing wave has a course of its own, of one whole wave between two "
+            "halves; remove number, or write another course"},
+    BadCase{"HarbourOfTheSectionAlone", pulse, wave_load(good_wave, section_table + "harbour_level = -1.0\n"),
+            "case.toml:62:1: [section]: harbour_level = -1 m above the sea, but in [initial] the harbour has no level "
+            "of its "
+            "own; give the same in both: initial.harbour_level = initial.water_level + section.harbour_level"},
     BadCase{
         "PulseBesideAWave", pulse, wave_load(good_wave + "pulse = { shape = \"step\", peak = 1.0 }\n"),
         "case.toml:50:1: [loads.impact]: 'pulse' does not belong to a load by a wave; remove pulse, or write kind = "

@@ -90,6 +90,8 @@ shape = "step"
 peak = 3.0  # N/m or Pa
 # rise: half the duration; of a step 0
 start = 0.0  # s
+number = 1
+# period: none: there is one pulse
 
 [time]
 end = 1.0  # s

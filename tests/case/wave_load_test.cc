@@ -279,6 +279,62 @@ TEST_F(WaveLoadTest, IsFiniteAndPeaksAtPOfAnyWave) {
   }
 }
 
+TEST_F(WaveLoadTest, TakesItsPeakFromProverbsWhereItBreaks) {
+  const auto summary = [](const std::string& keys) {
+    return wave_summaries(read(wave_case("{ height = 11.0, period = 12.0, course = \"church_roof\"" + keys + " }")))
+        .front();
+  };
+  const WaveLoadSummary s =
+      summary(", force = \"proverbs\", impact = { proverbs = { breaker = 8.0, quantile = 0.5 } }");
+  EXPECT_NEAR(s.peak, relative_impact({}, 0.5) * 1030. * 9.81 * 64., 1e-9 * s.peak);
+  EXPECT_TRUE(s.impact->breaks);
+  EXPECT_NE(s.assumptions.front().find("PROVERBS (Oumeraci et al. 2001), its numbers assumed"), std::string::npos);
+  EXPECT_NE(s.assumptions.front().find("as peak_gain = "), std::string::npos);
+  // the same peak by the peak_gain that it names
+  const std::string text = s.assumptions.front();
+  const std::string gain = text.substr(text.find("as peak_gain = ") + 15);
+  EXPECT_NEAR(summary(", force = \"impulse\", impact = { peak_gain = " + gain + " }").peak, s.peak, 0.01 * s.peak);
+  const WaveLoadSummary unbroken = summary(", force = \"proverbs\", impact = { proverbs = { breaker = 12.0 } }");
+  EXPECT_FALSE(unbroken.impact->breaks);
+  EXPECT_NEAR(unbroken.peak, unbroken.force, 1e-12 * unbroken.force);
+  EXPECT_FALSE(summary("").impact);
+}
+
+TEST_F(WaveLoadTest, ComesSeveralTimesInARow) {
+  const Case one = read(wave_case("{ height = 8.0, period = 12.0, course = \"triangle\" }"));
+  const Case row = read(wave_case("{ height = 8.0, period = 12.0, course = \"triangle\", number = 3 }"));
+  const TimeFunction &P = wave_of(one).history, &three = wave_of(row).history;
+  for (int k = 0; k < 3; ++k)
+    for (const double t : {0.1, 0.4, 1., 2., 8.}) EXPECT_NEAR(three(t + 12. * k), P(t), 1e-9 * wave_of(one).peak());
+  EXPECT_EQ(three(36.5), 0.);
+  EXPECT_NEAR(wave_of(row).end, wave_of(one).end + 24., 1e-12);
+  EXPECT_NEAR(wave_summaries(row).front().impulse, 3. * wave_summaries(one).front().impulse, 1e-6);
+}
+
+TEST_F(WaveLoadTest, TurnsTheDirectionOfTheChartTowardsTheNormal) {
+  const std::string waves = "{ height = 8.0, period = 12.0, course = \"sine\", ";
+  const Case chart = read(wave_case(waves + "direction = 250 }") + "facing = 230\n");
+  const Case turned = read(wave_case(waves + "angle = 5.0 }"));
+  EXPECT_DOUBLE_EQ(wave_of(chart).pressure.force, wave_of(turned).pressure.force);
+  const WaveLoadSummary s = wave_summaries(chart).front();
+  EXPECT_DOUBLE_EQ(s.angle, 5.);
+  EXPECT_EQ(*s.direction, 250.);
+  EXPECT_EQ(
+      s.assumptions.back(),
+      "direction: it comes from 250 degrees, the wall looks at 230: 20 degrees to the normal, turned by 15 towards "
+      "it (Goda 2000): beta = 5 degrees");
+}
+
+TEST_F(WaveLoadTest, HasATroughInEveryCase) {
+  const Case oblique = read(wave_case("{ height = 8.0, period = 12.0, course = \"sine\", angle = 20.0 }"));
+  const Checks checks = formula_checks(wave_summaries(oblique), {});
+  const auto seaward = std::find_if(checks.begin(), checks.end(),
+                                    [](const Check& c) { return c.name == "sliding seaward by formulas"; });
+  ASSERT_NE(seaward, checks.end());
+  EXPECT_TRUE(seaward->holds.has_value()) << "it is judged";
+  EXPECT_EQ(seaward->measure, "wave_loads.storm.trough_bound.safety_sliding");
+}
+
 TEST_F(WaveLoadTest, FactorScalesPAndU) {
   const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }");
   const Case once = read(text), twice = read(text, {"loads.storm.factor=2"});

@@ -7,7 +7,7 @@ import re
 import sys
 
 FEM = ["base", "material", "model", "algebra", "mesh", "system"]
-RUN = FEM + ["waves", "fem", "dynamics", "response", "sliding", "expected", "output"]
+RUN = FEM + ["waves", "fem", "dynamics", "response", "sliding", "rupture", "expected", "output"]
 ALLOWED = {
     "base": [],
     "input": ["base"],
@@ -21,15 +21,17 @@ ALLOWED = {
     "dynamics": ["base", "algebra", "system"],
     "response": FEM + ["fem", "dynamics"],
     "sliding": ["base", "algebra", "system", "dynamics", "waves"],
+    "rupture": ["base"],
     "expected": ["base", "algebra", "system", "dynamics", "waves", "sliding"],
-    "output": FEM + ["fem", "dynamics", "response", "waves", "sliding"],
+    "output": FEM + ["fem", "dynamics", "response", "waves", "sliding", "rupture"],
     "run": RUN,
     "findings": RUN + ["run"],
     "case": RUN + ["input", "run", "findings"],
     "respond": RUN + ["input", "run", "findings", "case"],
     "design": RUN + ["input", "run", "findings", "case"],
     "study": RUN + ["input", "run", "findings", "case"],
-    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study"],
+    "reliability": RUN + ["input", "run", "findings", "case", "design"],
+    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study", "reliability"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')
 PRIVATE = re.compile(r'^\s*#\s*include\s+"(?!upbead/)')

@@ -34,12 +34,12 @@ height = 8.0
 period = 12.0
 """
 
-KEYS = ["height", "significant_height", "period", "angle", "wavelength", "alpha_1", "alpha_2", "alpha_3", "alpha_I",
+KEYS = ["height", "significant_height", "period", "angle", "direction", "wavelength", "alpha_1", "alpha_2", "alpha_3", "alpha_I",
         "alpha_star", "lambda_1", "lambda_2", "lambda_3", "eta_star", "overtopped", "p1", "p3", "p4", "pu", "force",
         "uplift", "force_moment", "uplift_moment", "without_alpha_I", "safety_sliding", "safety_overturning",
         "heel_pressure", "toe_pressure", "tau_0F", "k", "tau_0", "shear_force", "shear_force_from", "sliding_force", "ratio",
         "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "standing",
-        "why_no_standing", "warnings"]
+        "why_no_standing", "trough_bound", "impact", "warnings"]
 
 # Goda (2000), p. 140; B_M, and with it alpha_I, are added here. W and W' by 2.1 and 2.4 t/m3 below and above still
 # water.
@@ -202,6 +202,10 @@ class Waves(ProgramTest):
             told = self.summary("design.toml", f"--set={place}={value}")["waves"]["b_low"]
             self.assertIsNone(told["standing"])
             self.assertIn(why, told["why_no_standing"])
+            bound = told["trough_bound"]
+            self.assertGreater(bound["force"], -low["trough_force"], "the bound is above the trough of the wave that stands")
+            self.assertAlmostEqual(bound["safety_sliding"], mu * W / bound["force"], places=9)
+        self.assertIsNone(waves["b_low"]["trough_bound"])
 
     def close(self, found, wanted, path=""):
         """Asserts that two JSON values differ by round-off at most; numbers within texts have four digits."""
@@ -287,7 +291,9 @@ class Waves(ProgramTest):
         self.assertIsNone(pressures["high"])
         self.assertGreater(pressures["low"], 1e6)
         self.assertEqual(wave["governing"]["heel_pressure"], {"level": "high", "value": pressures["high"]})
-        self.assertIsNone(wave["governing"]["trough_safety_sliding"])
+        # no standing wave at any level: the bound of the trough
+        least = min(level["trough_bound"]["safety_sliding"] for level in wave["levels"].values())
+        self.assertEqual(wave["governing"]["trough_safety_sliding"]["value"], least)
 
     def test_waves_too_high_for_a_level_are_told_with_it(self):
         self.write(DESIGN.split("[waves.a_high]")[0] + "[waves.one]\nheight = 8.0\nperiod = 7.0\n")

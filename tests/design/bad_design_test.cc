@@ -106,7 +106,16 @@ const std::vector<BadDesign> rows{
      "design.toml:22:2: unknown key 'durations' at the top of the file; did you mean 'duration'?"},
     {"UnknownKeyOfAWave", "angle = 10.0", "beta = 10.0",
      "design.toml:30:1: unknown key 'beta' in [waves.design]; known keys: height, significant_height, "
-     "deep_water_height, period, angle, force, shear_to_force_ratio, uplift, pulse_duration"},
+     "deep_water_height, period, angle, direction, force, shear_to_force_ratio, uplift, pulse_duration"},
+    {"AngleBesideADirection", "angle = 10.0", "angle = 10.0\ndirection = 250",
+     "design.toml:31:1: [waves.design]: both 'angle' and 'direction' are given; keep one of them\n"
+     "design.toml:31:1: [waves.design]: 'direction' is given, but not where the wall looks at; add facing to "
+     "[section], "
+     "the direction of the wall's seaward normal, in degrees from north"},
+    {"HarbourAboveTheCrest", "lambda_1 = 1.0", "lambda_1 = 1.0\nharbour_level = 7.0",
+     "design.toml:21:1: [section]: harbour_level = 7 m is above the crest = 6 m; give the height of the harbour's "
+     "still "
+     "water above that of the sea (m)"},
     {"MissingDepth", "water_depth = 15.0\n", "",
      "design.toml:7:2: 'water_depth' is missing in [section]; add water_depth, a number (m)"},
     {"MissingWeight", "weight = 4.27e6\n", "",

@@ -195,6 +195,12 @@ const std::vector<BadExpected> rows{
      "design.toml:45:1: Goda's P with alpha_I is no force to send through the caisson's dynamics: alpha_I was fitted "
      "to sliding tests, so this P already is the force that slides, and its dynamic reduction would count twice; write "
      "force = \"impulse\""},
+    {"PeakGainBesideProverbs", "peak_gain = 1.5", "peak_gain = 1.5\nforce = \"proverbs\"",
+     "design.toml:45:1: [impact]: 'peak_gain' is given, but the peak is by force = \"proverbs\"; remove peak_gain, or "
+     "write force = \"impulse\""},
+    {"HarbourAtAnotherLevel", "submerged_weight = 4.296e6", "submerged_weight = 4.296e6\nharbour_level = -1.0",
+     "design.toml:13:1: [section]: harbour_level is for `waves`: expected sliding has sea and harbour at one level; "
+     "remove it, or write --set section.harbour_level=0"},
     {"UnknownUplift", "peak_gain = 1.5", "uplift = \"none\"",
      "design.toml:45:1: uplift = \"none\" is none of held, in_phase, sinusoidal; choose one of them"},
     {"NoColumnOfPeriods", "period", "periods",

@@ -1,6 +1,7 @@
 // Claims: the difference of two nested models is about the error of the smaller one; a model reported as converged
 // meets the tolerance; `measured`, other readings, each load alone, max_vectors and exhausted spaces count as
-// documented; agreed_frequency is the frequency up to which two models agree.
+// documented; on a basis that others have grown the model is the same to the last bit; agreed_frequency is the
+// frequency up to which two models agree.
 // Source: a chain of masses and springs, its modes in closed form.
 #include "upbead/dynamics/reduce.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/basis.h"
 #include "dynamics/growing_model.h"
 #include "modal_models.h"
 #include "reduction_tools.h"
@@ -102,6 +104,48 @@ TEST(Reduce, WhatIsPreparedBeforeItsTrainingIsTheSame) {
   EXPECT_EQ(prepared.omega, straight.omega);
   EXPECT_EQ(prepared.model.pole, straight.model.pole);
   EXPECT_EQ(prepared.model.reading, straight.model.reading);
+}
+
+void expect_equal(const Reduction& a, const Reduction& b) {
+  EXPECT_EQ(a.n_vectors, b.n_vectors);
+  EXPECT_EQ(a.n_solves, b.n_solves);
+  EXPECT_EQ(a.converged, b.converged);
+  EXPECT_EQ(a.error.history, b.error.history);
+  EXPECT_EQ(a.omega, b.omega);
+  EXPECT_EQ(a.history.size(), b.history.size());
+  EXPECT_EQ(a.model.pole, b.model.pole);
+  EXPECT_EQ(a.model.reading, b.model.reading);
+  EXPECT_EQ(a.system.K, b.system.K);
+  ASSERT_EQ(a.states.has_value(), b.states.has_value());
+  if (!a.states) return;
+  EXPECT_EQ(a.states->displacements.coordinate, b.states->displacements.coordinate);
+  EXPECT_EQ(a.states->displacements.columns(), b.states->displacements.columns());
+  EXPECT_EQ(a.states->model.reading, b.states->model.reading);
+}
+
+TEST(Reduce, OnABasisThatOthersHaveGrownTheModelIsTheSameToTheLastBit) {
+  const System system = chain_of_masses.system(force());
+  BasisRoom room;
+  const ReduceOptions loose = options_for(system, 1e-2), strict = options_for(system, 1e-6);
+  ReduceOptions higher = loose, states = loose, few = loose, shifted = loose;
+  higher.training.begin *= 3.;
+  higher.training.end *= 3.;
+  states.keep_states = true;
+  few.max_vectors = 20;  // less than the first look takes else
+  shifted.shift *= 1.1;
+  int spared = 0;
+  for (const ReduceOptions& options : {loose, strict, higher, states, loose}) {
+    const Reduction kept = reduce(system, options, &room), alone = reduce(system, options);
+    expect_equal(kept, alone);
+    EXPECT_EQ(alone.n_spared, 0);
+    EXPECT_EQ(kept.n_spared, std::min(spared, alone.n_solves));
+    spared = std::max(spared, alone.n_solves);
+  }
+  for (const ReduceOptions& options : {few, shifted}) {
+    const Reduction kept = reduce(system, options, &room);
+    expect_equal(kept, reduce(system, options));
+    EXPECT_EQ(kept.n_spared, 0);
+  }
 }
 
 TEST(Reduce, OtherReadingsHaveTheirOwnTolerance) {

@@ -57,6 +57,22 @@ TEST(ImpactWave, HasGodasForceForAPeakWithoutAGain) {
   EXPECT_EQ(impact_wave({}, {8., 12., 1.2e6, 0., 4e5, 1.2e6}, {}, 8.5).peak, 1.2e6);
 }
 
+TEST(ImpactWave, ByProverbsBreaksFromHbOnAndIsNeverBelowGoda) {
+  ImpactAssumptions proverbs;
+  proverbs.proverbs.emplace();
+  const auto of = [&](double height, double breaker) {
+    return impact_wave(proverbs, {height, 12., 0.8e6, 0.5, 4e5, 1e6, breaker}, {}, 8.5);
+  };
+  EXPECT_EQ(of(5.9, 6.).peak, 1e6) << "below H_b it does not break";
+  const double F = relative_impact(*proverbs.proverbs, 0.9);
+  EXPECT_DOUBLE_EQ(of(6., 6.).peak, F * 1030. * 9.81 * 36.);
+  EXPECT_DOUBLE_EQ(of(9., 6.).peak, F * 1030. * 9.81 * 36.) << "H_b decides, not H";
+  EXPECT_NEAR(of(6., 6.).rise, 0.769 * std::sqrt(8.5 / 9.81) / F, 1e-12);
+  EXPECT_EQ(of(6., 1.).peak, 1e6) << "not below Goda's P";
+  proverbs.proverbs->rise_quantile = 0.9;
+  EXPECT_GT(of(6., 6.).rise, 0.769 * std::sqrt(8.5 / 9.81) / F);
+}
+
 TEST(ImpactWave, KeepsTheImpulseOfHalfAStandingWave) {
   for (const double alpha_star : {0., 0.1, 0.3, 0.6, 1.}) {
     const ImpactWave w = wave(alpha_star);

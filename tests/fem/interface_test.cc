@@ -172,6 +172,23 @@ TEST_P(Bottom, ForcesAtRestCarryTheWeightInWater) {
   EXPECT_NEAR(moment, 0., 1e-3 * weight * 18.);
 }
 
+TEST_P(Bottom, ForcesAtRestCarryStillWaterAtTwoLevels) {
+  scene_.initial = InitialState{};
+  scene_.initial->water_level = 15.;
+  scene_.initial->harbour_level = 12.;
+  const Compiled loose(scene_, *mesh_, true);
+  const Vector N = static_normal_forces(loose.resolved, *mesh_, {});
+  // 9 and 6 m of water above the bottom; the pressure under it falls in a straight line, so that W' is larger by
+  // rho g B 3/2 on a line B/6 landward of the middle, and the push turns by rho g (9^3 - 6^3)/6
+  const double rho_g = 1030. * 9.81, more = rho_g * 18. * 1.5;
+  const double weight = 9.81 * 18. * (2100. * 16. - 1030. * 9.) + more;
+  EXPECT_NEAR(N.sum(), weight, 1e-6 * weight);
+  double moment = 0.;
+  for (int i = 0; i < N.size(); ++i)
+    moment += N[i] * loose.scene.system.interface->position[static_cast<std::size_t>(i)];
+  EXPECT_NEAR(moment, rho_g * (729. - 216.) / 6. + more * 3., 1e-3 * weight * 18.);
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, Bottom, testing::Values(0, 2));
 
 }  // namespace interface_test

@@ -53,6 +53,12 @@ const Misfit misfits[] = {
        s.boundaries["mound_surface"].pressure.reset();
      },
      "regions.mound.kind", "touch"},
+    {"HarbourWithoutASea",
+     [](Scene& s) {
+       s.initial = InitialState();
+       s.initial->harbour_level = 12.;
+     },
+     "initial.harbour_level", "the sea has none"},
     {"SurchargeOnNoSoil",
      [](Scene& s) {
        s.initial = InitialState{{}, {}, {{"blocks", {"front", 1e4, {}, {}}}}};

@@ -48,6 +48,8 @@ TEST(Exclusions, StandInTheTable) {
   scene.regions["sand"].flow = Flow::inertial;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;
+  scene.initial = InitialState();
+  scene.initial->harbour_level = 1.;
   scene.boundaries["left"] = {DisplacementCondition::absorbing, PressureCondition::absorbing};
   scene.regions["caisson"].interface = ContactLaw{ContactKind::friction, {}};
   scene.boundaries["base"].displacement = DisplacementCondition::fixed;

@@ -106,6 +106,8 @@ Summary full_summary() {
   s.harbour.emplace();
   s.verdict.emplace();
   s.waves.back().standing.answer.emplace();
+  s.waves.back().standing.bound.emplace();
+  s.waves.back().impact.emplace();
   s.periods = {{}};
   s.checks = {{}};
   sliding.equal_impulse.emplace();

@@ -21,7 +21,7 @@ bool has(const std::string& text, const std::string& part) {
 Scene scene() {
   Scene scene;
   scene.sliding.emplace();
-  scene.limits = {0.3, 600e3, {}, 1.2, {}};
+  scene.limits = {0.3, 600e3, {}, 1.2, {}, {}};
   return scene;
 }
 

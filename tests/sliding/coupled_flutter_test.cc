@@ -171,7 +171,7 @@ ModalState random_state(const SlipPhase& phase, std::mt19937& random) {
   return modal_state(phase, state);
 }
 
-TEST(SlipWithinStep, BoundsWhatReadingsDoBetweenTheEnds) {
+TEST(SlipSteps, BoundsWhatReadingsDoBetweenTheEnds) {
   std::mt19937 random(5);
   const SlipModel model = in_modes(wedge(2e5, 6e9, 2e4), friction, shift, {}, 0);
   const Eigen::MatrixXd rows = load_rows(model);
@@ -182,9 +182,9 @@ TEST(SlipWithinStep, BoundsWhatReadingsDoBetweenTheEnds) {
       const Eigen::Vector2d begin(1e5, weight), end(-2e5, 0.9 * weight), slope = (end - begin) / step;
       const ModalState z = random_state(phase, random);
       const SlipPath path(phase, z, begin, slope, step);
-      const SlipWithinStep within(phase, rows, step);
-      const SlipBends bends = within.bends(z, begin, end);
-      for (const auto& [row, bend] : {std::pair{row_velocity, bends.velocity}, {row_normal, bends.normal}}) {
+      const SlipSteps steps(phase, bottom, rows, step);
+      const SlipWithin within = steps.within(z, path.at(step).z, begin, end);
+      for (const auto& [row, bend] : {std::pair{row_velocity, within.velocity}, {row_normal, within.normal}}) {
         const SlipCurve curve = path.reading(row);
         for (double x = 0.; x <= 1.; x += 1. / 256.) {
           const double chord = (1. - x) * curve(0.) + x * curve(step);
@@ -199,17 +199,16 @@ TEST(SlipWithinStep, BoundsWhatReadingsDoBetweenTheEnds) {
       ModalState last = z;
       for (int i = 1; i <= n; ++i) {
         const ModalState next = path.at(step * i / n).z;
-        work += within.work_of_piece(last, next, begin + slope * (step * (i - 1) / n), begin + slope * (step * i / n),
-                                     step / n);
+        work += steps.work_of_piece(last, next, begin + slope * (step * (i - 1) / n), begin + slope * (step * i / n),
+                                    step / n);
         last = next;
       }
-      const double at_once = within.work(z, last, begin, end);
-      EXPECT_NEAR(at_once, work, bends.work + 1e-4 * std::abs(work));
+      EXPECT_NEAR(within.work, work, within.work_error + 1e-4 * std::abs(work));
     }
   EXPECT_GT(nearest, 0.3) << "bounds of some use";
 }
 
-TEST(SlipWithinStep, StaysPositiveIsTheLeastOfAParabola) {
+TEST(SlipSteps, StaysPositiveIsTheLeastOfAParabola) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(0., 1.);
   for (int i = 0; i < 1000; ++i) {

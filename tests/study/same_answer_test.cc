@@ -1,6 +1,6 @@
-// Claim: a run of a study that takes over mesh and solution of the run before has the whole summary of one that is
-// solved alone, to the last bit: every key but the wall times. Over scenes unlike each other, and every key of
-// [sliding].
+// Claim: a run of a study that takes over stages of the run before (mesh, System, basis, solution) has the whole
+// summary of one that is solved alone, to the last bit: every key but the wall times. It enters at the stage that is
+// expected. Over scenes unlike each other, keys of every stage, and every key of [sliding].
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -16,6 +16,18 @@ namespace same_answer_test {
 
 using Json = nlohmann::ordered_json;
 using Settings = std::vector<Setting>;
+
+/// A run, and what it takes over from the one before.
+struct Row {
+  Settings settings;
+  Shared shared = Shared::nothing;
+};
+
+/// The same settings in all rows, before their own.
+std::vector<Row> with(const Settings& more, std::vector<Row> rows) {
+  for (Row& row : rows) row.settings.insert(row.settings.begin(), more.begin(), more.end());
+  return rows;
+}
 
 /// What must differ: wall times.
 Json comparable(const std::string& summary) {
@@ -54,6 +66,14 @@ class SameAnswer : public InFolder {
 
   /// Compares runs one after the other in one process with those alone, by a study and as `upbead run` solves them.
   static void expect_same(const std::string& text, const std::vector<Settings>& runs, Shared shared) {
+    std::vector<Row> rows;
+    for (const Settings& settings : runs) rows.push_back({settings, rows.empty() ? Shared::nothing : shared});
+    expect_same(text, rows);
+  }
+
+  static void expect_same(const std::string& text, const std::vector<Row>& rows) {
+    std::vector<Settings> runs;
+    for (const Row& row : rows) runs.push_back(row.settings);
     const Study study = study_of(text, runs);
     Runner sharing(study, true, false);
     std::set<std::string> answers;
@@ -61,7 +81,7 @@ class SameAnswer : public InFolder {
       Runner alone(study, false, false);
       const RunResult a = sharing.run(study.runs[i], [] {}), b = alone.run(study.runs[i], [] {});
       ASSERT_TRUE(a.done && b.done) << i << ": " << a.message << " / " << b.message;
-      EXPECT_EQ(a.shared, i > 0 ? shared : Shared::nothing) << i;
+      EXPECT_EQ(a.shared, rows[i].shared) << i;
       EXPECT_EQ(b.shared, Shared::nothing);
       std::string differences;
       note_differences(comparable(a.summary), comparable(b.summary), "", differences);
@@ -181,11 +201,101 @@ TEST_F(SameAnswer, OfGroundThatYieldsOrFollowsItsStrain) {
   expect_same(yields, {with_law({}), with_law({{"sliding.friction", "0.4"}})}, Shared::solution);
 }
 
+Setting peak(const std::string& value) {
+  return {"loads.impulse.pulse.peak", value};
+}
+
+Setting duration(const std::string& value) {
+  return {"loads.impulse.pulse.duration", value};
+}
+
+/// Rows of a scene that is reduced: they enter at the basis as long as the loads last as long.
+const std::vector<Row> of_reduced{{{}},
+                                  {{peak("6e6")}, Shared::basis},
+                                  {{peak("6e6"), duration("0.12")}, Shared::system},
+                                  {{peak("7e6"), duration("0.12")}, Shared::basis}};
+/// Of one that is marched: there is no basis.
+const std::vector<Row> of_marched{{{}},
+                                  {{peak("3e6")}, Shared::system},
+                                  {{duration("0.12")}, Shared::system},
+                                  {{{"time.end", "0.25"}}, Shared::system}};
+
+TEST_F(SameAnswer, AtWhateverStageARunEnters) {
+  const std::vector<Row> rows{{{}},
+                              {{peak("5e6")}, Shared::basis},
+                              {{peak("5e6"), {"limits.sliding", "0.01"}, {"title", "\"another\""}}, Shared::solution},
+                              {{peak("5e6"), {"accuracy.tolerance", "1e-4"}}, Shared::basis},
+                              {{peak("4e6"), {"accuracy.tolerance", "0.02"}}, Shared::basis},
+                              {{{"time.end", "0.25"}}, Shared::basis},
+                              {{{"time.step", "0.003"}}, Shared::basis},
+                              {{{"output.every", "0.01"}, peak("4.5e6")}, Shared::basis},
+                              {{duration("0.12")}, Shared::system},
+                              {{duration("0.12"), {"loads.impulse.pulse.rise", "0.02"}}, Shared::system},
+                              {{{"loads.impulse.direction", "[0.9, -0.1]"}}, Shared::mesh},
+                              {{{"regions.seabed.shear_modulus", "20e6"}}, Shared::mesh},
+                              {{{"boundaries.left.displacement", "\"fixed\""}}, Shared::mesh},
+                              {{{"fluid.density", "1000.0"}}, Shared::mesh},
+                              {{{"gravity", "9.8"}}, Shared::mesh},
+                              {{{"probes.A.at", "[0.0, -5.0]"}}, Shared::mesh},
+                              {{{"mesh.degree", "3"}}, Shared::nothing},
+                              {{{"mesh.parameters.cells", "0.35"}}, Shared::nothing},
+                              {{{"mesh.parameters.cells", "0.35"}, peak("2e6")}, Shared::basis}};
+  expect_same(struck(sliding_table), with({{"time.scheme", "\"reduced\""}}, rows));
+}
+
+TEST_F(SameAnswer, OfEveryKindOfBasis) {
+  const Settings reduced{{"time.scheme", "\"reduced\""}};
+  expect_same(struck(sliding_table, "[accuracy]\nestimate = true\n"), with(reduced, of_reduced));
+  const Settings states{{"time.scheme", "\"reduced\""}, {"regions.mound.strength", "{ friction_angle = 40 }"}};
+  expect_same(struck(sliding_table), with(states, of_reduced));
+  const Settings elastic{{"time.scheme", "\"reduced\""},
+                         {"regions.caisson.kind", "\"solid\""},
+                         {"regions.caisson.deformation", "\"elastic\""},
+                         {"regions.caisson.shear_modulus", "1e9"},
+                         {"regions.caisson.poissons_ratio", "0.2"}};
+  expect_same(struck(""), with(elastic, of_reduced));
+}
+
+TEST_F(SameAnswer, OfGroundWithoutDamping) {
+  std::string text = struck(sliding_table);
+  const std::string damping = "damping = { ratio = 0.05, frequencies = [1, 10] }\n";
+  for (std::size_t at; (at = text.find(damping)) != std::string::npos;) text.erase(at, damping.size());
+  expect_same(text, with({{"time.scheme", "\"reduced\""}}, of_reduced));
+}
+
+TEST_F(SameAnswer, OfAMarch) {
+  expect_same(struck(sliding_table), with({{"time.scheme", "\"sdirk4\""}}, of_marched));
+  expect_same(struck(sliding_table), with({{"time.scheme", "\"generalised_alpha\""}}, of_marched));
+  expect_same(struck(sliding_table), with({{"time.inertia", "false"}}, of_marched));
+}
+
+TEST_F(SameAnswer, OfSoilThatIsNotLinear) {
+  const Settings yields{{"regions.seabed.law", "\"hysteretic\""},
+                        {"regions.seabed.strength", "{ friction_angle = 38 }"},
+                        {"time.step", "0.01"},
+                        {"initial.bounds", "false"}};
+  expect_same(struck(sliding_table),
+              with(yields, {{{}}, {{peak("3e6")}, Shared::system}, {{duration("0.12")}, Shared::system}}));
+  const Settings follows{{"regions.seabed.strain", "{ reference_strain = 1e-3 }"}};
+  expect_same(struck(sliding_table),
+              with(follows, {{{}}, {{peak("3e6")}, Shared::system}, {{duration("0.12")}, Shared::system}}));
+}
+
+TEST_F(SameAnswer, OfStiffnessByStress) {
+  const Settings by_stress{
+      {"regions.seabed.shear_modulus", "{ reference = 60e6 }"}, {"initial.k0", "0.5"}, {"time.scheme", "\"reduced\""}};
+  expect_same(struck(sliding_table),
+              with(by_stress, {{{}}, {{peak("3e6")}, Shared::basis}, {{{"initial.k0", "0.6"}}, Shared::mesh}}));
+}
+
 TEST_F(SameAnswer, OfACaissonThatSlipsByFriction) {
   const Setting contact{"regions.caisson.interface", "{ kind = \"friction\" }"};
-  expect_same(struck(sliding_table),
-              {{contact}, {contact, {"sliding.submerged_weight", "3.6e6"}}, {contact, {"sliding.friction", "0.5"}}},
-              Shared::mesh);
+  expect_same(struck(sliding_table), with({contact}, {{{}},
+                                                      {{{"sliding.submerged_weight", "3.6e6"}}, Shared::system},
+                                                      {{{"sliding.friction", "0.5"}}, Shared::system},
+                                                      {{{"limits.sliding", "0.01"}}, Shared::system},
+                                                      {{peak("1e6")}, Shared::system},
+                                                      {{peak("1e6"), {"limits.sliding", "0.01"}}, Shared::solution}}));
 }
 
 TEST_F(SameAnswer, OfALoadByAWave) {

@@ -42,7 +42,7 @@ struct Compiled {
   AssembledScene parts;
   const Space& space = *parts.space;
   const Unknowns& unknowns = *parts.unknowns;
-  CompiledScene& scene = *parts.compiled;
+  CompiledScene scene = *parts.compiled;
 };
 
 /// Marches from rest with steps of at most `step`.

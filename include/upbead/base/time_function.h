@@ -51,6 +51,11 @@ TimeFunction sum(const TimeFunction& a, const TimeFunction& b);
 /// scale * f.
 TimeFunction scaled(const TimeFunction& f, double scale);
 
+/// f, and f again each `period` later, `n` times in all. f is zero outside its kinks, of which there are at least two;
+/// throws std::invalid_argument where they lie farther apart than a period. Each time it is f to the last digit, but
+/// for the times of its kinks.
+TimeFunction repeated(const TimeFunction& f, int n, double period);
+
 /// Integral of f from t0 to t1 by adaptive Gauss-Kronrod between all kinks and samples (relative error 1e-9).
 double integral(const TimeFunction& f, double t0, double t1);
 

@@ -35,8 +35,8 @@ struct FieldBasis {
 /// bases, one of u with W and one of phi [Lu, Su and Bai 2016, the two-level process TOAR]. A load that prescribes an
 /// unknown starts with that unknown's unit motion instead of b. The cost is one factorisation, and one solve per
 /// vector. Each prescribed unknown, and each other unknown that is to be kept exactly, is a coordinate of its own. So
-/// is each direction to keep, after the part along the directions before it is removed. The System must outlive the
-/// object.
+/// is each direction to keep, after the part along the directions before it is removed. The System is read by the
+/// constructor alone.
 class SecondOrderKrylov {
  public:
   /// `exact`: unknowns to keep; `kept`: directions of displacements to keep. Throws NumericsError where T(s_0) is
@@ -60,8 +60,9 @@ class SecondOrderKrylov {
   double factorise_seconds() const { return factorise_seconds_; }
 
  private:
-  void make_bases(const SparseMatrix& T, const std::vector<int>& exact, const std::vector<Vector>& kept);
-  void start();
+  void make_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact,
+                  const std::vector<Vector>& kept);
+  void start(const System& system);
   /// Coordinates of x in both bases; first adds to the bases the part of x that they do not span.
   Vector take(const Vector& x);
   void take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates);
@@ -70,7 +71,7 @@ class SecondOrderKrylov {
   bool append(const Vector& x, const Eigen::Ref<const Vector>& previous);
   void solve(Vector& rhs, Vector& x);
 
-  const System& system_;
+  int n_unknowns_;
   double shift_;
   double factorise_seconds_ = 0.;
   std::unique_ptr<detail::SymmetricPair> products_;  ///< with s_0 (2 s_0 M + C), and with s_0^2 M

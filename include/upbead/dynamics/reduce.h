@@ -36,6 +36,9 @@ struct ReduceOptions {
   std::function<void(double)> progress;
 };
 
+/// Keeps what reductions of one System have in common: src/dynamics/basis.h.
+class BasisRoom;
+
 /// How far two nested models lie apart.
 struct NestedError {
   double history = 0.;         ///< of the measured readings, see of_reading
@@ -65,6 +68,7 @@ struct Reduction {
   double omega = 0.;
   bool converged = false;  ///< also where the space is exhausted: then the model is exact
   int n_vectors = 0, n_solves = 0, n_independent_loads = 0;
+  int n_spared = 0;  ///< of these solves, those that an earlier reduction had done
   double factorise_seconds = 0.;
   std::optional<PressureModel> pressures;            ///< where they are kept
   std::optional<StateModel> states;                  ///< where they are kept
@@ -74,8 +78,9 @@ struct Reduction {
 /// Grows a Krylov space until two nested models agree on the training histories: under all loads together and, where
 /// asked for, under each alone. Stops unconverged where the next comparison would need more than max_vectors. Transfer
 /// functions at other real shifts are no substitute: there the models agree long before their histories do. Throws
-/// NumericsError as SecondOrderKrylov and modal_model do.
-Reduction reduce(const System& system, const ReduceOptions& options);
+/// NumericsError as SecondOrderKrylov and modal_model do. `room`, of this System alone: a basis that is kept there is
+/// taken from there, and left there; the result is the same to the last bit.
+Reduction reduce(const System& system, const ReduceOptions& options, BasisRoom* room = nullptr);
 
 /// The velocities of all unknowns of phi, from a series of the model: a row per basis.unknown, a column per time.
 Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& coordinates);

@@ -81,6 +81,7 @@ class WaveForces {
   /// At the water level of the sea state.
   const Breakwater& breakwater() const { return breakwater_; }
   double period() const { return period_; }
+  double wavelength() const { return goda_.wavelength(); }  ///< L (m)
   WavePressure at(double height, const WaveFactors& factors, PressureFormula formula = PressureFormula::extended) const;
   /// F_Smax - mu W' (N/m), with alpha*.
   double excess(double height, const WaveFactors& factors) const;

@@ -71,6 +71,8 @@ struct InitialState {
   RestStart start = RestStart::k0;  ///< of hysteretic soil
   bool bounds = true;               ///< whether soil that yields is solved also from the two other starts
   bool safety = false;              ///< whether to find the factor by which strength may fall at rest
+  /// Height y of still water behind the caisson (m), where water_level is that of the sea; none: one level.
+  std::optional<double> harbour_level{};
 };
 
 enum class ContactKind {

@@ -14,6 +14,7 @@
 #include "upbead/response/findings.h"
 #include "upbead/sliding/base_pressure.h"
 #include "upbead/sliding/history_sliding.h"
+#include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/standing_stability.h"
 
 namespace upbead {
@@ -28,7 +29,7 @@ struct LadderStep {
 using Ladder = std::vector<LadderStep>;
 
 /// How near the bonded caisson comes to slipping or lifting, at the node where it comes nearest.
-struct GluedDemand {
+struct BondedDemand {
   double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (null in the file) where a node pulls
   double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 where a node pulls
   double margin = 0.;        ///< of both, allowing for errors of the forces; 0 where it was marched
@@ -53,7 +54,7 @@ struct ContactSummary {
   double friction = 0.;  ///< mu
   double weight = 0.;    ///< sum of N_i at rest (N/m)
   int nodes = 0;
-  GluedDemand demand;
+  BondedDemand demand;
   std::optional<NodeContact> solved;  ///< none where the bonded solution obeys the law of contact
 };
 
@@ -132,6 +133,7 @@ struct HarbourSummary {
   double front = 0., back = 0.;  ///< heights y of the levels (m)
   double push = 0.;              ///< of both waters at rest, landward (N/m)
   double weight_gained = 0.;     ///< by which W' exceeds that in water as high as the higher level (N/m)
+  bool counted = false;          ///< whether it is in all numbers, by initial.harbour_level
 };
 
 /// What presses on the base.
@@ -236,6 +238,35 @@ struct SafetySummary {
   std::string why_open;                ///< why the bounds are no closer; "" where they are as close as asked for
 };
 
+/// The least safe slip circle through the ground under the caisson, and what pressed on the ground then.
+struct SlipCircleFound {
+  double factor = 0.;                          ///< F by Bishop's simplified method
+  std::optional<double> time;                  ///< s; none: at rest
+  std::string slips;                           ///< landward or seaward
+  std::array<double, 2> centre{0., 0.};        ///< m
+  double radius = 0., from = 0., to = 0.;      ///< of the circle, and x of its ends on the surface (m)
+  double force = 0., shear = 0., moment = 0.;  ///< N', F_T (N/m) and M' (N m/m) of the base
+  double strip_from = 0., strip_to = 0.;       ///< x of the ends of the effective width (m)
+};
+
+/// The least safe block that slips on a level plane through the ground between two wedges, at one moment.
+struct SlipBlockFound {
+  double factor = 0.;        ///< F by horizontal forces, without Janbu's f_0
+  std::vector<double> x, y;  ///< corners, from left to right (m)
+};
+
+/// Slip circles under the caisson: at rest, and in motion with the pore pressure of still water and with that computed.
+struct SlipCircles {
+  std::optional<SlipCircleFound> at_rest, still, computed;  ///< none: no circle has a factor, or not looked for
+  std::string why_not_computed;            ///< why there is none by the computed pressure; "" where there is
+  std::optional<SlipCircleFound> governs;  ///< the least of them
+  std::string by;                          ///< which that is: at_rest, still, computed
+  std::optional<SlipBlockFound> block;     ///< of the moment and pressure that govern; none where no block has a factor
+  std::optional<double> leaves_time;       ///< when the resultant leaves the base, so that no strip bears it (s)
+  std::string uncut;        ///< regions without a strength, which no circle cuts; "" where there are none
+  double share_steep = 0.;  ///< of the circles tried: left out, as the method does not hold for them
+};
+
 /// What it cost to solve soil that yields, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
@@ -300,6 +331,8 @@ struct WaveLoadSummary {
   std::optional<double> peak_over_goda;  ///< peak of the load over Goda's P with alpha*, both with the factor
   std::optional<Stability> stability;    ///< by Goda's formulas, with the factor; none of a load that pulls seaward
   StandingResult standing;               ///< the wave in case it does not break, with the factor
+  std::optional<BreakingImpact> impact;  ///< by PROVERBS, without the factor; none where the peak is not by it
+  std::optional<double> direction;       ///< from which the wave comes, from north (degrees); none where beta is given
   std::optional<double> sliding;         ///< S of that P by eqs. (4) and (6), tau_0 = k(alpha*) tau_0F (m)
   std::vector<std::string> assumptions;
 };
@@ -344,6 +377,8 @@ struct Summary {
   std::optional<ResidualSummary> residual;     ///< where soil yields, of a caisson
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
+  std::optional<SlipCircles> circles;          ///< none where no region has a strength, or no base presses on it
+  std::string why_no_circles;                  ///< why not; "" where they are there
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
   std::optional<Verdict> verdict;              ///< drawn from checks and warnings
   Checks checks;                               ///< of the section, in the order of a sheet

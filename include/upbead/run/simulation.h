@@ -76,6 +76,7 @@ class Simulation {
     std::shared_ptr<const Space> space;  ///< this and the next two: made of all members above
     std::shared_ptr<const Unknowns> unknowns;
     std::shared_ptr<const CompiledScene> compiled;
+    std::shared_ptr<BasisRoom> room;       ///< for the basis of `compiled` as it was assembled; null: none is kept
     std::optional<SoilSummary> soil;       ///< where the soil has converged with the strain of the response
     std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
     Timing timing;
@@ -85,6 +86,11 @@ class Simulation {
   /// the cells of this mesh are split as the tolerance asks. `among`: the processes among which the system is divided;
   /// all of them make this call. Throws InputError whose places are keys of the scene, such as "boundaries.left".
   Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among = nullptr);
+
+  /// The same, after another simulation: where both have the same System but for the course in time of its loads
+  /// (system_scene.h in src/fem), and `before` keeps room for a basis, System and room are taken from there. Every
+  /// number is the same to the last bit as without `before`.
+  Simulation(Scene asked, std::shared_ptr<const Mesh> on, const Simulation& before);
 
   explicit Simulation(Parts parts) : parts_(std::move(parts)) {}
 
@@ -104,6 +110,7 @@ class Simulation {
   const std::shared_ptr<const Space>& space() const { return parts_.space; }
   const std::shared_ptr<const Unknowns>& unknowns() const { return parts_.unknowns; }
   const std::shared_ptr<const CompiledScene>& compiled() const { return parts_.compiled; }
+  const std::shared_ptr<BasisRoom>& room() const { return parts_.room; }
   const std::optional<SoilSummary>& soil() const { return parts_.soil; }
   const std::optional<MeshAccuracy>& accuracy() const { return parts_.accuracy; }
   const Timing& timing() const { return parts_.timing; }
@@ -142,7 +149,8 @@ struct Solution {
   Discretisation discretisation;
   Ladder ladder;  ///< the ways tried; the last one was taken
   Timing timing;
-  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next four
+  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next five
+  int n_spared = 0;                           ///< of its solves, those that an earlier reduction had done
   std::optional<ModalModel> model;
   std::vector<NaturalPeriod> periods;
   std::optional<PressureModel> pressures;

@@ -8,6 +8,7 @@
 
 #include "upbead/base/error.h"
 #include "upbead/base/numbered_warning.h"
+#include "upbead/base/still_water.h"
 
 namespace upbead {
 
@@ -28,6 +29,8 @@ struct Section {
   /// Factors of alpha_1 in p_1, of the other coefficient in p_1, and of p_u; none: 1, or the value for
   /// `dissipating_blocks`.
   std::optional<double> lambda_1, lambda_2, lambda_3;
+  double harbour_level = 0.;       ///< of still water behind the caisson above that of the sea (m); negative: lower
+  std::optional<double> facing{};  ///< where the wall looks at, degrees from north: the chart's direction of its normal
 };
 
 /// Water and gravity.
@@ -50,8 +53,19 @@ struct DesignWave {
 /// range of the formulas.
 Diagnostics diagnose(const Section& section);
 
+/// What still water does by the harbour_level of a section.
+StillWater still_water(const Section& section, const Water& water);
+
+/// beta (degrees) of a wave that comes from `direction` at a wall that looks at `facing`, both in degrees from north:
+/// the angle to the wall's normal, and after it was turned by up to 15 degrees towards it, as Goda (2000) has it
+/// because the direction of a design wave is not known better.
+struct TurnedAngle {
+  double to_normal = 0., turned = 0.;
+};
+TurnedAngle turned_angle(double direction, double facing);
+
 /// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c change with it, and W'
-/// falls by rho g B for each metre of the caisson's walls that comes under water.
+/// falls by rho g B for each metre of the caisson's walls that comes under water. The harbour's level rises with it.
 Section at_water_level(const Section& section, const Water& water, double rise);
 
 /// The coefficient that is added to alpha_1 in p_1.
@@ -112,12 +126,14 @@ struct Stability {
   double safety_overturning = 0.;       ///< (W' t - M_U) / M_P
   std::optional<double> heel_pressure;  ///< p_e, under the heel (Pa); none where it overturns or floats
   double sliding_force = 0.;            ///< F_Smax = P + mu U (N/m)
-  double resistance = 0.;               ///< mu W' (N/m)
-  double ratio = 0.;                    ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
-  double force = 0., moment = 0.;       ///< P (N/m) and M_P (N m/m), which act
+  double resistance = 0.;               ///< mu W', less the push of still water at two levels (N/m)
+  double ratio = 0.;                    ///< r = F_Smax over that; not 1/S.F. unless U = 0
+  double force = 0., moment = 0.;       ///< P (N/m) and M_P (N m/m), which act, with that push
 };
 
-Stability stability(const Section& section, const WavePressure& pressure);
+/// Under the wave and under `still`, whose push counts where it acts with the wave and is left out, on the safe side,
+/// where it acts against it.
+Stability stability(const Section& section, const WavePressure& pressure, const StillWater& still = {});
 
 /// Submerged weight W' (N/m) for which the safety factor against sliding is `safety_sliding`.
 double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure);

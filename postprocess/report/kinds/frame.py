@@ -16,6 +16,8 @@ DOCS = Path(__file__).parents[3] / "docs"
 def build(folder, found, kind, case_file, language):
     """The HTML; `kind` is a module with COMMAND, KIND, QUESTION, verdict(found) and sections(found)."""
     summary, case = read_summary(folder), read_case(folder)
+    if "parts" in summary:  # a sheet: its parts have documents of their own
+        summary = {key: value for key, value in summary.items() if key not in ("waves", "run", "expected")}
     heading = summary.get("title") or folder.resolve().name
     source = page.author_case(case or {"title": heading}, folder, case_file)
     words = author.read(case, source, folder / "case.toml")

@@ -15,6 +15,7 @@ from .fit import fit
 from .mesh import mesh
 from .model_prototype import model_prototype, model_prototype_panel
 from .reduced_model import reduced_model
+from .reliability import reliability
 from .response import probes, response
 from .sliding_safety import sliding_safety
 from .slip_bottom import slip_bottom
@@ -27,5 +28,5 @@ from .verification import verification
 from .wave_pressure import wave_pressure
 
 __all__ = ["amplitudes", "base_pressures", "calibration", "calibration_spectrum", "expected", "fit", "mesh", "model_prototype",
-           "model_prototype_panel", "probes", "reduced_model", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
+           "model_prototype_panel", "probes", "reduced_model", "reliability", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
            "slip_safety", "stability", "study", "verification", "wave_pressure"]

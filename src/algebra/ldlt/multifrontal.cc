@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include "algebra/ldlt/slabs.h"
 #include "upbead/base/error.h"

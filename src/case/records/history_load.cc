@@ -169,8 +169,8 @@ std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
 LoadWay by_history() {
   return {[](const LoadTable& table) { return !table.pulse; },
           [](TableSchema<LoadTable>& table) {
-            table.key("history", &LoadTable::history_file)
-                .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+            table.key("history", &LoadTable::history_file, "",
+                      "path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
           },
           [](const LoadCheck& check) { check.exactly_one("pulse", "history"); },
           read_one,

@@ -14,14 +14,14 @@ namespace upbead {
 
 TableSchema<MeasuredKeys> measured_schema() {
   TableSchema<MeasuredKeys> table;
-  table.key("file", &MeasuredKeys::file).required().doc("path of the record; CSV (docs/records.md) or HDF5");
-  table.key("reading", &MeasuredKeys::reading)
-      .required()
-      .doc(
-          "history of the results that it is compared with; \"shear_force\", \"caisson/displacement_x\", "
-          "\"probes/A/pressure\"");
-  table.key("column", &MeasuredKeys::column).fallback("the one after the time").doc("name of its column");
-  table.key("unit", &MeasuredKeys::unit).fallback("that of the header, else SI").doc("unit of the values");
+  table.key("file", &MeasuredKeys::file, "", "path of the record; CSV (docs/records.md) or HDF5").required();
+  table
+      .key("reading", &MeasuredKeys::reading, "",
+           "history of the results that it is compared with; \"shear_force\", \"caisson/displacement_x\", "
+           "\"probes/A/pressure\"")
+      .required();
+  table.key("column", &MeasuredKeys::column, "", "name of its column").fallback("the one after the time");
+  table.key("unit", &MeasuredKeys::unit, "", "unit of the values").fallback("that of the header, else SI");
   const auto everywhere = [](const auto& entry) { return entry; };
   add_clock_keys(table, everywhere, everywhere);
   return table;

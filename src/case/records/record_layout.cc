@@ -71,6 +71,12 @@ void append(RecordNotes& notes, const RecordNotes& more) {
   append(notes.warnings, more.warnings);
 }
 
+std::string note_lines(const RecordNotes& notes) {
+  std::string text;
+  for (const Skipped& part : notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  return text;
+}
+
 std::string describe(const std::vector<RecordSummary>& records) {
   std::string text, layout;
   for (const RecordSummary& r : records) {

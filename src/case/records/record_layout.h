@@ -8,14 +8,9 @@
 
 #include "base/csv.h"
 #include "base/header_words.h"
-#include "upbead/base/numbered_warning.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
-
-/// A part of a file that is not used, and why.
-struct LeftOut {
-  std::string what, why;
-};
 
 /// How a column of a file was read.
 struct RecordSummary {
@@ -32,11 +27,13 @@ std::string describe(const std::vector<RecordSummary>& records);
 /// How a file was read.
 struct RecordNotes {
   std::vector<RecordSummary> read;  ///< each column that is used
-  std::vector<LeftOut> left_out;
+  std::vector<Skipped> left_out;    ///< parts of the file
   NumberedWarnings warnings;
 };
 
 void append(RecordNotes& notes, const RecordNotes& more);
+/// A line "note: ..." for each part that was left out.
+std::string note_lines(const RecordNotes& notes);
 
 struct RecordLayout {
   std::optional<std::size_t> time;    ///< none: no column can be the time

@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "design/calibrate/family.h"
+#include "design/calibrate/calibration_waves.h"
 #include "design/expected_laws.h"
 #include "upbead/sliding/history_sliding.h"
 
@@ -37,22 +37,22 @@ struct Setting {
   Water water;
   ImpactAssumptions impact;
   std::vector<double> ratios;
-  std::vector<FamilyWave> waves;
+  std::vector<CalibrationWave> waves;
 };
 
-Setting setting_at(const DesignTables& tables, const Family& family, double scale) {
+Setting setting_at(const DesignTables& tables, const CalibrationWaves& waves, double scale) {
   Setting setting{scaled(tables.section, scale), tables.water, tables.impact, tables.calibration->ratios.values, {}};
-  for (const FamilyWave& wave : family.waves) setting.waves.push_back(scaled(wave, scale));
+  for (const CalibrationWave& wave : waves.waves) setting.waves.push_back(scaled(wave, scale));
   return setting;
 }
 
-Breakwater breakwater_of(const Setting& setting, const FamilyWave& wave) {
+Breakwater breakwater_of(const Setting& setting, const CalibrationWave& wave) {
   return {with_mound(setting.section, wave), setting.water, {}, {}};
 }
 
 double shortest_rise(const Setting& setting) {
   double shortest = HUGE_VAL;
-  for (const FamilyWave& wave : setting.waves) {
+  for (const CalibrationWave& wave : setting.waves) {
     const WaveForces forces(breakwater_of(setting, wave), sea_state(wave));
     const ImpactWave impact =
         impact_wave(setting.impact,
@@ -79,9 +79,9 @@ WaveDuration duration_at(double ratio, double mass, const History& force) {
 
 CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
                               const std::shared_ptr<const ShearAnswer>& answer) {
-  const FamilyWave& wave = setting.waves[number];
+  const CalibrationWave& wave = setting.waves[number];
   CalibratedWave out;
-  static_cast<FamilyWave&>(out) = wave;
+  static_cast<CalibrationWave&>(out) = wave;
   out.wave = number;
   out.tau_0F = standing_duration(wave.height, setting.section.water_depth, wave.period);
   const DynamicWave answered =
@@ -110,10 +110,10 @@ std::vector<CalibrationFit> fits(const CalibratedModel& model, const std::vector
   return list;
 }
 
-CalibratedModel calibrate_model(const Design& design, const Family& family, const std::string& name) {
+CalibratedModel calibrate_model(const Design& design, const CalibrationWaves& waves, const std::string& name) {
   const DesignTables& tables = design.tables;
   const ScaledModel& table = tables.calibration->models.at(name);
-  const Setting setting = setting_at(tables, family, table.scale);
+  const Setting setting = setting_at(tables, waves, table.scale);
   const WaveModel model = read_wave_model(design.resolve(table.model), table, setting.section, setting.water,
                                           design.document.place(dotted("calibration.models", name)));
   CalibratedModel out;
@@ -165,7 +165,7 @@ void check_grid(const DesignTables& tables, const Document& document, Diagnostic
                "the grid has " + significant(n_grid(grid)) + " waves, more than " + significant(most_waves),
                "give fewer heights, periods or berms");
   else if (report.sound("section") && report.sound("gravity") && report.sound("fluid") &&
-           make_family(tables).waves.empty())
+           calibration_waves(tables).waves.empty())
     report.add(document.place("calibration"), "every wave of the grid is beyond the limits of the formulas",
                "give H/h up to 0.8, periods with H below 0.142 L tanh(kh) and H/L within steepness, and d up to h'");
 }
@@ -174,6 +174,11 @@ void check_grid(const DesignTables& tables, const Document& document, Diagnostic
 
 void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report) {
   check_impact(tables, document, report);
+  refuse_harbour(tables, document, report);
+  if (report.sound("impact") && tables.impact.force == ImpactForce::proverbs)
+    report.add(document.place("impact.force"),
+               "a calibration is for every wave with every mound, and has no wave that breaks on one wall",
+               "write force = \"impulse\" with a peak_gain");
   if (!tables.calibration) {
     if (report.sound("calibration"))
       report.add(document.place("calibration"), "the table [calibration] is missing, which 'calibrate' needs",
@@ -211,14 +216,14 @@ const char* word(DurationMeasure measure) {
 
 Calibration calibrate(const Design& design) {
   const Stopwatch watch;
-  const Family family = make_family(design.tables);
+  const CalibrationWaves waves = calibration_waves(design.tables);
   Calibration out;
-  out.n_grid = family.n_grid;
-  out.n_waves = family.waves.size();
-  out.left = family.left;
+  out.n_grid = waves.n_grid;
+  out.n_waves = waves.waves.size();
+  out.left = waves.left;
   out.given = design.tables.duration;
   for (const auto& [name, model] : design.tables.calibration->models)
-    out.models.push_back(calibrate_model(design, family, name));
+    out.models.push_back(calibrate_model(design, waves, name));
   out.seconds = watch.seconds();
   return out;
 }

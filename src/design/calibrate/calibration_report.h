@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "design/calibrate/family.h"
+#include "design/calibrate/calibration_waves.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
 #include "upbead/base/numbered_warning.h"
@@ -32,7 +32,7 @@ struct WaveDuration {
 };
 
 /// One wave on one model, at the model's size.
-struct CalibratedWave : FamilyWave {
+struct CalibratedWave : CalibrationWave {
   std::size_t wave = 0;  ///< its number in the family
   double tau_0F = 0.;    ///< s
   ImpactWave impact;

@@ -56,18 +56,16 @@ Diagnostics read_list(const Node& node, const KeyInfo& key, std::vector<double>&
 
 TableSchema<ScaledModel> model_schema() {
   TableSchema<ScaledModel> table;
-  table.key("model", &ScaledModel::model).required().doc("path of a reduced model, made by 'upbead reduce'");
-  table.key("load", &ScaledModel::load)
-      .fallback("the only one, or that with the largest peak")
-      .doc("name of its load that is the wave");
-  table.key("step", &ScaledModel::step)
-      .unit("s")
+  table.key("model", &ScaledModel::model, "", "path of a reduced model, made by 'upbead reduce'").required();
+  table.key("load", &ScaledModel::load, "", "name of its load that is the wave")
+      .fallback("the only one, or that with the largest peak");
+  table.key("step", &ScaledModel::step, "s", "step of the answers; auto: 1/80 of the shortest rise")
       .range(from_to(1e-5, 1.))
-      .or_word("auto")
-      .doc("step of the answers; auto: 1/80 of the shortest rise");
-  table.key("scale", &ScaledModel::scale)
-      .range(from_to(1e-3, 1e3))
-      .doc("length of its breakwater over that of [section]; section and waves are scaled to it by Froude's law");
+      .or_word("auto");
+  table
+      .key("scale", &ScaledModel::scale, "",
+           "length of its breakwater over that of [section]; section and waves are scaled to it by Froude's law")
+      .range(from_to(1e-3, 1e3));
   return table;
 }
 
@@ -96,26 +94,23 @@ void visit_value(const KeyInfo& key, const std::string& path, NumberList& value,
 
 TableSchema<CalibrationTable> calibration_schema() {
   TableSchema<CalibrationTable> table;
-  table.key("relative_height", &CalibrationTable::relative_height)
-      .range(from_to(1e-3, 10.))
-      .doc("heights of the waves over the depth, H/h");
-  table.key("period", &CalibrationTable::period)
-      .unit("s")
+  table.key("relative_height", &CalibrationTable::relative_height, "", "heights of the waves over the depth, H/h")
+      .range(from_to(1e-3, 10.));
+  table.key("period", &CalibrationTable::period, "s", "periods T of the waves at the size of [section]")
       .range(from_to(0.01, 1e4))
-      .required()
-      .doc("periods T of the waves at the size of [section]");
-  table.key("relative_berm_depth", &CalibrationTable::relative_berm_depth)
-      .range(from_to(1e-3, 1.))
-      .doc("depths of the berm over that of the sea, d/h; in place of section.berm_depth");
-  table.key("relative_berm_width", &CalibrationTable::relative_berm_width)
-      .range(from_to(0., 10.))
-      .doc("widths of the berm over the wavelength, B_M/L; in place of section.berm_width");
-  table.key("ratios", &CalibrationTable::ratios)
-      .range(from_to(1.001, 100.))
-      .doc("ratios r = F_Smax/(mu W') at which tau_0 is taken");
-  table.key("steepness", &CalibrationTable::steepness)
-      .range(from_to(0., 1.))
-      .doc("least and largest steepness H/L; other waves are left out");
+      .required();
+  table
+      .key("relative_berm_depth", &CalibrationTable::relative_berm_depth, "",
+           "depths of the berm over that of the sea, d/h; in place of section.berm_depth")
+      .range(from_to(1e-3, 1.));
+  table
+      .key("relative_berm_width", &CalibrationTable::relative_berm_width, "",
+           "widths of the berm over the wavelength, B_M/L; in place of section.berm_width")
+      .range(from_to(0., 10.));
+  table.key("ratios", &CalibrationTable::ratios, "", "ratios r = F_Smax/(mu W') at which tau_0 is taken")
+      .range(from_to(1.001, 100.));
+  table.key("steepness", &CalibrationTable::steepness, "", "least and largest steepness H/L; other waves are left out")
+      .range(from_to(0., 1.));
   table.tables("models", &CalibrationTable::models, model_schema())
       .doc("Reduced models by name, each at its own size.");
   return table;

@@ -179,4 +179,11 @@ void CaissonForces::add(const WetFace& face, const Space& space, const FaceTerms
     (outward_normal(face.solid, face.face)[0] < 0. ? water_front : water_back).add(terms.matrices, terms.dofs);
 }
 
+StillWater still_water(const Scene& scene, const Caisson& caisson) {
+  if (!scene.initial || !scene.initial->harbour_level) return {};
+  const double foot = caisson.bottom_centre[1];
+  return still_water(*scene.initial->water_level - foot, *scene.initial->harbour_level - foot, caisson.bottom_width,
+                     scene.fluid.density * scene.gravity);
+}
+
 }  // namespace upbead

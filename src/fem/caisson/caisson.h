@@ -9,6 +9,7 @@
 #include "fem/caisson/rigid_body.h"
 #include "fem/faces.h"
 #include "fem/unknowns.h"
+#include "upbead/base/still_water.h"
 
 namespace upbead {
 
@@ -21,6 +22,10 @@ struct Caisson {
 
 /// None where the mesh has no surface of the caisson's name, or where that surface touches nothing.
 std::optional<Caisson> find_caisson(const Space& space);
+
+/// What still water at the two levels of [initial] does to the caisson, beside its weight in water as high as the sea;
+/// nothing where it has one level.
+StillWater still_water(const Scene& scene, const Caisson& caisson);
 
 /// Rows of linear momentum (x, y) and angular momentum about the centre of gravity (clockwise): p_m . v.
 std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,

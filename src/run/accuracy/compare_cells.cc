@@ -70,7 +70,8 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
   };
   const auto read = [&](const GrowingModel& model) { return bonded_answers(simulation, response(model)); };
   try {
-    GrowingModel own(simulation.compiled()->system, reduce_options(scene, *simulation.compiled(), targets));
+    GrowingModel own(simulation.compiled()->system, reduce_options(scene, *simulation.compiled(), targets),
+                     simulation.room().get());
     CellsCompared::Reduced compared;
     {
       GrowingModel better(finer.system, reduce_options(scene, finer, targets));

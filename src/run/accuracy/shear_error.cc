@@ -122,7 +122,7 @@ class Adaptation {
 
   /// The scene on the present mesh; its accuracy is set where this mesh is good enough.
   Simulation assemble() {
-    const Simulation simulation = on_mesh(given_, mesh_);
+    const Simulation simulation = with_room(on_mesh(given_, mesh_));  // for the comparison, then for the solution
     require_measurable(simulation);
     cells_ = mesh_error(simulation.scene(), *simulation.space(), *simulation.unknowns(), *simulation.compiled());
     const int n = simulation.compiled()->system.n_free();

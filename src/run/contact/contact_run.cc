@@ -77,7 +77,7 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface)
 
 /// Rows of shear and normal force alternate, node by node, as glued() appends them; they are without the uplift.
 void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
-          GluedDemand& demand) {
+          BondedDemand& demand) {
   const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
   const auto forces = series.reading.bottomRows(2 * n).leftCols(columns);
   const double error = margin * forces.cwiseAbs().maxCoeff();
@@ -96,9 +96,9 @@ void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, con
 
 /// The demand on contact in a response of glued(system, true), `system` with the interface; the forces may be wrong
 /// by `margin` of their largest value over all nodes.
-GluedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
-                           double margin) {
-  GluedDemand demand{0., 1., margin, false};
+BondedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
+                            double margin) {
+  BondedDemand demand{0., 1., margin, false};
   look(*system.interface, uplift, response.ends, margin, demand);
   look(*system.interface, uplift, response.balanced, margin, demand);
   return demand;

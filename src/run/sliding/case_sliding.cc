@@ -32,8 +32,10 @@ History prescribed(const UpliftChoice& uplift, const CompiledScene& compiled, co
   return U;
 }
 
-BottomForces bottom_forces(const SlidingChoice& sliding, const CompiledScene& compiled, const BaseHistory& base) {
+BottomForces bottom_forces(const SlidingChoice& sliding, const CompiledScene& compiled, const BaseHistory& base,
+                           double push) {
   BottomForces forces{base.shear_force, {}, base.normal_force};
+  for (double& shear : forces.shear_force.value) shear += push;
   if (const auto& uplift = sliding.uplift)
     forces.uplift =
         uplift->kind == UpliftKind::computed ? base.uplift : prescribed(*uplift, compiled, base.shear_force.time);
@@ -42,11 +44,11 @@ BottomForces bottom_forces(const SlidingChoice& sliding, const CompiledScene& co
 
 /// S by eq. (4) with either course of U, held and in phase; none where the course is known.
 std::optional<UpliftCourses> by_course(SlidingChoice sliding, const CompiledScene& compiled, const BaseHistory& base,
-                                       const BottomResistance& bottom) {
+                                       const BottomResistance& bottom, double push) {
   if (!sliding.uplift || !sliding.uplift->peak) return std::nullopt;
   const auto S = [&](UpliftCourse course) {
     sliding.uplift->course = course;
-    return slide_on_history(bottom_forces(sliding, compiled, base), bottom).residual;
+    return slide_on_history(bottom_forces(sliding, compiled, base, push), bottom).residual;
   };
   return UpliftCourses{S(UpliftCourse::held), S(UpliftCourse::in_phase)};
 }
@@ -58,15 +60,17 @@ std::optional<EqualImpulse> equal_impulse(double mass, const HistorySliding& his
                       sliding_distance_exact(mass, history.resistance, pulse)};
 }
 
-PulseSliding pulse_sliding(const SlidingWave& wave, double mass, const HistorySliding& history) {
+/// `push`: of still water at two levels, which is no part of the pulse, and leaves it less of the resistance.
+PulseSliding pulse_sliding(const SlidingWave& wave, double mass, const HistorySliding& history, double push) {
   PulseSliding s;
   s.standing_duration = standing_duration(wave.height, wave.depth, wave.period);
   s.factor = DurationFactor()(wave.alpha_star);
   s.duration = s.factor * s.standing_duration;
-  const TriangularPulse pulse{history.peak_force, s.duration};
-  s.paper = sliding_distance_paper(mass, history.resistance, pulse);
-  s.paper_parts = sliding_distance_paper_parts(mass, history.resistance, pulse);
-  s.exact = sliding_distance_exact(mass, history.resistance, pulse);
+  const TriangularPulse pulse{history.peak_force - push, s.duration};
+  const double resistance = history.resistance - push;
+  s.paper = sliding_distance_paper(mass, resistance, pulse);
+  s.paper_parts = sliding_distance_paper_parts(mass, resistance, pulse);
+  s.exact = sliding_distance_exact(mass, resistance, pulse);
   return s;
 }
 
@@ -113,17 +117,18 @@ std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene
   const SlidingChoice& choice = *scene.sliding;
   SlidingSummary s;
   s.weight = weight_of(scene, compiled);
-  s.submerged_weight = choice.submerged_weight;
+  const StillWater still = still_water(scene, *compiled.caisson);
+  s.submerged_weight = choice.submerged_weight + still.weight;
   s.friction = choice.friction;
   s.drag = choice.drag;
   s.uplift = choice.uplift ? word_of(choice.uplift->kind, uplift_kind_words) : "none";
   const double mass = s.weight / scene.gravity;
   const BaseHistory base = read_base_history(compiled, response, scene.time.inertia);
   const BottomResistance bottom{mass, s.friction, s.submerged_weight, s.drag};
-  s.history = slide_history(bottom_forces(choice, compiled, base), bottom);
-  s.courses = by_course(choice, compiled, base, bottom);
+  s.history = slide_history(bottom_forces(choice, compiled, base, still.push), bottom);
+  s.courses = by_course(choice, compiled, base, bottom, still.push);
   s.equal_impulse = equal_impulse(mass, s.history);
-  if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history);
+  if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history, still.push);
   return s;
 }
 

@@ -1,6 +1,5 @@
 #include "run/sliding/coupled_sliding.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/stopwatch.h"

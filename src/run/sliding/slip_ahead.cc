@@ -24,9 +24,9 @@ double demand(const Simulation& simulation) {
 }
 
 /// Fulfils a promise at the end of its scope, also after an exception.
-struct Tell {
+struct KeptPromise {
   std::promise<void>& promise;
-  ~Tell() { promise.set_value(); }
+  ~KeptPromise() { promise.set_value(); }
 };
 
 bool is_worth_it(const Simulation& simulation) {
@@ -47,6 +47,8 @@ std::string why_no_slip(const Simulation& simulation) {
   if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
     return "the caisson deforms";
   if (!bottom_is_level(*simulation.mesh())) return "the caisson's bottom is not level";
+  if (simulation.scene().initial && simulation.scene().initial->harbour_level)
+    return "still water at two levels shears the base before the wave, and slip as a whole begins without shear";
   return "";
 }
 
@@ -64,7 +66,7 @@ void SlipAhead::begin() {
   left_mesh_ = assembled_.get_future().share();
   space_ = std::async(std::launch::async, [this] {
     AssembledScene assembled = [&] {
-      const Tell left{assembled_};
+      const KeptPromise left{assembled_};
       return with_interface(*simulation_);
     }();
     return std::make_unique<SlidingSpace>(*simulation_, std::move(assembled));

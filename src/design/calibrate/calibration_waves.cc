@@ -1,6 +1,5 @@
-#include "design/calibrate/family.h"
+#include "design/calibrate/calibration_waves.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "upbead/waves/goda.h"
@@ -13,7 +12,7 @@ namespace {
 constexpr double round_off = 1e-9;  // of H/h = 0.8 and d = h' from a grid
 
 /// Why a wave is left out; "" where it is not.
-std::string why_not(const DesignTables& tables, const FamilyWave& wave, const WavePressure& pressure) {
+std::string why_not(const DesignTables& tables, const CalibrationWave& wave, const WavePressure& pressure) {
   const Section section = with_mound(tables.section, wave);
   if (wave.berm_depth > section.foundation_depth * (1. + round_off)) return "berm_below_caisson";
   if (wave.berm_depth >= section.water_depth) return "berm_below_bed";
@@ -26,8 +25,8 @@ std::string why_not(const DesignTables& tables, const FamilyWave& wave, const Wa
   return steepness < limits[0] || steepness > limits[1] ? "steepness" : "";
 }
 
-void add_wave(const DesignTables& tables, FamilyWave wave, Family& family) {
-  ++family.n_grid;
+void add_wave(const DesignTables& tables, CalibrationWave wave, CalibrationWaves& waves) {
+  ++waves.n_grid;
   const SeaState state = sea_state(wave);
   const WaveForces forces({with_mound(tables.section, wave), tables.water, {}, {}}, state);
   const WavePressure pressure = forces.at(wave.height, {});
@@ -35,25 +34,25 @@ void add_wave(const DesignTables& tables, FamilyWave wave, Family& family) {
   wave.alpha_star = pressure.alpha_star;
   const std::string why = why_not(tables, wave, pressure);
   if (why.empty())
-    family.waves.push_back(wave);
+    waves.waves.push_back(wave);
   else
-    ++family.left[why];
+    ++waves.left[why];
 }
 
 }  // namespace
 
-Family make_family(const DesignTables& tables) {
+CalibrationWaves calibration_waves(const DesignTables& tables) {
   const CalibrationTable& grid = *tables.calibration;
   const double h = tables.section.water_depth;
-  Family family;
+  CalibrationWaves waves;
   for (const double T : grid.period.values) {
     const double L = wavelength(T, h, tables.water.gravity);
     for (const double d : grid.relative_berm_depth.values)
       for (const double B_M : grid.relative_berm_width.values)
         for (const double H : grid.relative_height.values)
-          add_wave(tables, {H * h, T, L, d * h, B_M * L, 0., 0.}, family);
+          add_wave(tables, {H * h, T, L, d * h, B_M * L, 0., 0.}, waves);
   }
-  return family;
+  return waves;
 }
 
 Section scaled(const Section& section, double scale) {
@@ -66,19 +65,19 @@ Section scaled(const Section& section, double scale) {
   return s;
 }
 
-FamilyWave scaled(FamilyWave wave, double scale) {
+CalibrationWave scaled(CalibrationWave wave, double scale) {
   for (double* length : {&wave.height, &wave.wavelength, &wave.berm_depth, &wave.berm_width}) *length *= scale;
   wave.period *= std::sqrt(scale);
   return wave;
 }
 
-Section with_mound(Section section, const FamilyWave& wave) {
+Section with_mound(Section section, const CalibrationWave& wave) {
   section.berm_depth = wave.berm_depth;
   section.berm_width = wave.berm_width;
   return section;
 }
 
-SeaState sea_state(const FamilyWave& wave) {
+SeaState sea_state(const CalibrationWave& wave) {
   return {wave.height / highest_over_significant, wave.period, 1., 0., 0.};
 }
 

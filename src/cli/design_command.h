@@ -1,0 +1,30 @@
+// Commands for a design: they read it, answer, and write a folder.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/stopwatch.h"
+#include "cli/command.h"
+#include "design/design.h"
+
+namespace upbead {
+
+/// The results of a command for a design.
+struct DesignOutput {
+  std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, without case.toml and summary.json
+  std::string json, text, warnings;                        ///< summary.json; for stdout and stderr
+};
+
+struct DesignWork {
+  std::string suffix;  ///< of the default folder
+  std::vector<DesignCheck> checks;
+  std::vector<std::string> files;  ///< the files written
+  DesignOutput (*answer)(const Design& design, const Stopwatch& since_start);
+};
+
+/// `command`: its name, what it does, and its footer.
+Command design_command(Command command, const DesignWork& work);
+
+}  // namespace upbead

@@ -1,0 +1,165 @@
+#include <algorithm>
+
+#include "design/reliability_table.h"
+
+namespace upbead {
+
+namespace {
+
+const std::vector<std::pair<std::string, RandomKind>> random_words{
+    {"normal", RandomKind::normal},   {"lognormal", RandomKind::lognormal}, {"gumbel", RandomKind::gumbel},
+    {"weibull", RandomKind::weibull}, {"uniform", RandomKind::uniform},     {"triangular", RandomKind::triangular}};
+
+bool with_moments(const RandomVariable& v) {
+  return v.kind != RandomKind::uniform && v.kind != RandomKind::triangular;
+}
+
+TableSchema<RandomVariable> variable_schema() {
+  using V = RandomVariable;
+  TableSchema<V> table;
+  table
+      .key("acts_on", &V::acts_on, "",
+           "key of the design that is random (section.friction, waves.design.height), or a factor: force (of P), "
+           "uplift (of U), friction, weight, wave (of H), significant_height (of all heights), period, sliding (of S), "
+           "or water_level, a rise (m)")
+      .required();
+  table.choice("distribution", &V::kind, random_words, "distribution, for one occasion");
+  const char* const moments = "in normal, lognormal, gumbel and weibull";
+  table.key("mean", &V::mean, "", "mean before the ends are cut")
+      .fallback("the number of the design; of a factor 1, of water_level 0")
+      .when("distribution", with_moments, moments);
+  table.key("cov", &V::cov, "", "standard deviation over mean; or deviation")
+      .range(above(0.))
+      .when("distribution", with_moments, moments);
+  table.key("deviation", &V::deviation, "", "standard deviation; or cov")
+      .range(above(0.))
+      .when("distribution", with_moments, moments);
+  table.key("location", &V::location, "", "least value of the distribution")
+      .fallback("0")
+      .when(
+          "distribution", [](const V& v) { return v.kind == RandomKind::lognormal || v.kind == RandomKind::weibull; },
+          "in lognormal and weibull");
+  table.key("mode", &V::mode, "", "most likely value")
+      .required()
+      .when(
+          "distribution", [](const V& v) { return v.kind == RandomKind::triangular; }, "in triangular");
+  table.key("low", &V::low, "", "least value; all but uniform and triangular are cut there").fallback("not cut");
+  table.key("high", &V::high, "", "largest value; all but uniform and triangular are cut there").fallback("not cut");
+  return table;
+}
+
+TableSchema<RandomCorrelation> correlation_schema() {
+  using C = RandomCorrelation;
+  TableSchema<C> table;
+  table.key("first", &C::first, "", "name of a variable").required();
+  table.key("second", &C::second, "", "name of another variable").required();
+  table
+      .key("coefficient", &C::coefficient, "",
+           "correlation of the standard normal variables behind the two (normal copula)")
+      .range(between(-1., 1.))
+      .required();
+  return table;
+}
+
+TableSchema<SystemNode> system_schema() {
+  TableSchema<SystemNode> table;
+  table.key("any", &SystemNode::any, "", "names of limit states and systems; it fails where any of them fails; or all");
+  table.key("all", &SystemNode::all, "", "names of limit states and systems; it fails where all of them fail; or any");
+  return table;
+}
+
+TableSchema<ReliabilityTargets> targets_schema() {
+  using T = ReliabilityTargets;
+  const Range share = between(0., 1.), index = from_to(-5., 10.);
+  TableSchema<T> table;
+  const auto exceed = [&](const char* name, double T::*member, const char* limit) {
+    table.key(name, member)
+        .range(share)
+        .doc("most probability that S of a life exceeds " + std::string(limit) +
+             "; assumed: Japanese standard of 2007, importance normal, from memory");
+  };
+  exceed("exceed_0_1", &T::exceed_0_1, "0.1 m");
+  exceed("exceed_0_3", &T::exceed_0_3, "0.3 m");
+  exceed("exceed_1_0", &T::exceed_1_0, "1.0 m");
+  table
+      .key("expected_sliding", &T::expected_sliding, "m",
+           "most expected sliding distance of a life; Shimosako and Takahashi (1998)")
+      .range(above(0.));
+  table
+      .key("pianc_life", &T::pianc_life, "",
+           "most probability of failure in a life; assumed: PIANC WG 28, ultimate limit state, safety class normal, "
+           "from memory")
+      .range(share);
+  table
+      .key("eurocode_year", &T::eurocode_year, "",
+           "least beta of a year; assumed: EN 1990 Annex B, class RC2, from memory")
+      .range(index);
+  table
+      .key("eurocode_life", &T::eurocode_life, "",
+           "least beta of a life of 50 years; assumed: EN 1990 Annex B, class RC2, from memory")
+      .range(index);
+  return table;
+}
+
+void declare_work(TableSchema<ReliabilityTable>& table) {
+  using R = ReliabilityTable;
+  table.key("methods", &R::methods, "",
+            "list of form, sorm, importance, subset, plain; plain sampling is the judge, and takes longest");
+  table.key("seed", &R::seed, "", "seed of all samples; the same one gives the same numbers")
+      .range(from_to(0., 2147483647.));
+  table
+      .key("samples", &R::samples, "",
+           "most samples of importance sampling, and samples of each level of subset sampling")
+      .range(from_to(1000., 1e7));
+  table.key("plain_samples", &R::plain_samples, "", "samples of plain sampling").range(from_to(1000., 1e8));
+}
+
+}  // namespace
+
+const std::vector<std::string> reliability_methods{"form", "sorm", "importance", "subset", "plain"};
+
+TableSchema<ReliabilityTable> reliability_schema() {
+  using R = ReliabilityTable;
+  TableSchema<R> table;
+  table.key("wave", &R::wave, "", "name of [waves.NAME]: the wave of an occasion").fallback("the only one");
+  table.key("years", &R::years, "years", "life of the structure").range(from_to(1e-3, 1e5));
+  table
+      .key("occasions_per_year", &R::occasions_per_year, "",
+           "occasions in a year for which the variables are given; 1 where the wave is the highest of a year")
+      .range(from_to(1e-6, 1e6));
+  table.key("target", &R::target, "", "least index beta of the system over the life").range(from_to(-5., 10.));
+  declare_work(table);
+  table.tables("variables", &R::variables, variable_schema()).doc("What is random, by name.");
+  table.tables("correlations", &R::correlations, correlation_schema())
+      .doc("Dependence of two variables, by any name; variables without one are independent.");
+  table.tables("system", &R::system, system_schema())
+      .doc("A fault tree, each of its gates by its name; without one the system fails where any limit state fails.");
+  table.table("targets", &R::targets, targets_schema()).doc("What codes ask for; most defaults are assumed.");
+  return table;
+}
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, NameList& value) {
+  value.names.clear();
+  const auto refuse = [&](const Node& at) {
+    return Diagnostics{{at.place, key.name + ": expected " + type_text(key, &value) + ", found " + found(at),
+                        "give the " + key.meaning()}};
+  };
+  if (!node.array() || node.array()->empty()) return refuse(node);
+  for (const Node& item : *node.array()) {
+    if (!item.text()) return refuse(item);
+    value.names.push_back(*item.text());
+  }
+  return {};
+}
+
+std::string type_text(const KeyInfo&, const NameList*) {
+  return "a list of names";
+}
+
+std::string print_value(const KeyInfo&, const NameList& value) {
+  std::vector<std::string> items;
+  for (const std::string& name : value.names) items.push_back(to_toml(name));
+  return "[" + join(items) + "]";
+}
+
+}  // namespace upbead

@@ -1,0 +1,112 @@
+// The keys of [reliability], and the tables that they fill: what is random, by which methods, for how long.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/schema.h"
+#include "input/values.h"
+
+namespace upbead {
+
+struct DesignTables;
+class Document;
+
+/// A list of names: ["sliding", "overturning"].
+struct NameList {
+  std::vector<std::string> names;
+};
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, NameList& value);
+std::string type_text(const KeyInfo& key, const NameList*);
+inline ValueShape shape_of(const KeyInfo&, const NameList*) {
+  return ValueShape::texts;
+}
+std::string print_value(const KeyInfo& key, const NameList& value);
+inline void visit_value(const KeyInfo&, const std::string&, NameList&, const NumberVisitor&) {}
+
+enum class RandomKind { normal, lognormal, gumbel, weibull, uniform, triangular };
+
+/// [reliability.variables.NAME]: a random variable, for one occasion. Mean and deviation are those of the whole
+/// distribution, before its ends are cut.
+struct RandomVariable {
+  std::string acts_on;  ///< a key of the design, or a factor of `random_factors`
+  RandomKind kind = RandomKind::normal;
+  std::optional<double> mean;            ///< none: the number of the design; of a factor 1
+  std::optional<double> cov, deviation;  ///< one of them, where the kind has moments
+  std::optional<double> location;        ///< least value of weibull and lognormal; none: 0
+  std::optional<double> mode;            ///< of triangular
+  std::optional<double> low, high;       ///< ends of uniform and triangular; where the others are cut
+};
+
+/// [reliability.correlations.NAME]: of the standard normal variables behind two variables (normal copula).
+struct RandomCorrelation {
+  std::string first, second;
+  double coefficient = 0.;
+};
+
+/// [reliability.system.NAME]: it fails where any, or where all, of these fail.
+struct SystemNode {
+  std::optional<NameList> any, all;  ///< one of them: limit states and other systems
+};
+
+/// [reliability.targets]: what codes ask for. All defaults are assumed: known from memory, not looked up in the codes.
+struct ReliabilityTargets {
+  double exceed_0_1 = 0.30;  ///< of S over 50 years, Japanese standard of 2007, importance "normal"
+  double exceed_0_3 = 0.10;
+  double exceed_1_0 = 0.05;
+  double expected_sliding = 0.30;  ///< m, Shimosako and Takahashi (1998)
+  double pianc_life = 0.05;        ///< probability of the ultimate limit state, PIANC WG 28, safety class "normal"
+  double eurocode_year = 4.7;      ///< beta, EN 1990 Annex B, class RC2
+  double eurocode_life = 3.8;      ///< beta over 50 years, likewise
+};
+
+/// [reliability].
+struct ReliabilityTable {
+  std::string wave;  ///< name of [waves.NAME]; "": the only one
+  NameList methods{{"form", "sorm", "importance", "subset"}};
+  double years = 50.;
+  double occasions_per_year = 1.;
+  std::optional<double> target;  ///< least beta of the life
+  int seed = 1;
+  int samples = 20000;
+  int plain_samples = 1000000;
+  std::map<std::string, RandomVariable> variables;
+  std::map<std::string, RandomCorrelation> correlations;
+  std::map<std::string, SystemNode> system;
+  ReliabilityTargets targets;
+};
+
+/// A factor that a variable may act on, with its unit, and its value where it is certain.
+struct RandomFactor {
+  const char *name, *unit;
+  double certain;
+};
+extern const std::vector<RandomFactor> random_factors;
+/// The factor of that name, or nullptr.
+const RandomFactor* find_factor(const std::string& name);
+
+/// The methods in their order: form, sorm, importance, subset, plain.
+extern const std::vector<std::string> reliability_methods;
+
+TableSchema<ReliabilityTable> reliability_schema();
+
+/// The wave's name: the one given, or the only one of the design; "" where that is open.
+std::string random_wave(const DesignTables& tables);
+
+/// The number of a key in the tables, where it is given and a variable may act on it: one of section, fluid, duration,
+/// of the wave, and limits.sliding and limits.base_pressure.
+double* number_at(DesignTables& tables, const std::string& key);
+
+/// The unit of what a variable acts on; "" for none.
+std::string unit_at(const DesignTables& tables, const std::string& acts_on);
+
+/// Variables with their means and deviations, in the order of their names, and correlations among them.
+std::vector<RandomVariable> complete_variables(const DesignTables& tables);
+
+/// Checks what `reliability` needs of the variables: what they act on, moments, ends, correlations.
+void check_reliability(const DesignTables& tables, const Document& document, Diagnostics& report);
+
+}  // namespace upbead

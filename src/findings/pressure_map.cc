@@ -1,0 +1,101 @@
+#include "findings/pressure_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fem/compile.h"
+#include "fem/space.h"
+#include "fem/unknowns.h"
+#include "response/reduction.h"
+#include "upbead/dynamics/modal_response.h"
+
+namespace upbead {
+
+namespace {
+
+using namespace dealii;
+
+std::array<int, 2> covered(const PointGrid& grid, int direction, double low, double high) {
+  const auto d = static_cast<std::size_t>(direction);
+  const double first = direction == 0 ? grid.x[0] : grid.y[0], step = grid.spacing(direction);
+  return {std::max(0, static_cast<int>(std::ceil((low - first) / step - 1e-9))),
+          std::min(grid.n[d] - 1, static_cast<int>(std::floor((high - first) / step + 1e-9)))};
+}
+
+/// Calls see(point of the grid, its place in the unit cell) for all points in a cell.
+template <class See>
+void for_points_in(const Cell& cell, const Mapping<dim>& mapping, const PointGrid& grid, const See& see) {
+  const BoundingBox<dim> box = cell->bounding_box();
+  const auto [left, right] = covered(grid, 0, box.lower_bound(0), box.upper_bound(0));
+  const auto [bottom, top] = covered(grid, 1, box.lower_bound(1), box.upper_bound(1));
+  for (int j = bottom; j <= top; ++j)
+    for (int i = left; i <= right; ++i) {
+      const Point<dim> at(grid.x[0] + i * grid.spacing(0), grid.y[0] + j * grid.spacing(1));
+      if (!cell->point_inside(at)) continue;  // of points outside a skew cell the mapping has no inverse
+      see(j * grid.n[0] + i, mapping.transform_real_to_unit_cell(cell, at));
+    }
+}
+
+}  // namespace
+
+PressureMap::PressureMap(const Solution& solution, const PointGrid& grid) : grid_(grid) {
+  const Simulation& simulation = *solution.simulation;
+  const PressureModel& model = *solution.pressures;
+  const Space& space = *simulation.space();
+  std::map<int, int> column;
+  for (std::size_t i = 0; i < model.basis.unknown.size(); ++i) column[model.basis.unknown[i]] = static_cast<int>(i);
+  row_.assign(static_cast<std::size_t>(grid.n[0]) * static_cast<std::size_t>(grid.n[1]), -1);
+  std::vector<Eigen::Triplet<double>> entries;
+  int n_rows = 0;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (!space.has_pores(cell)) continue;
+    const FiniteElement<dim>& fe = cell->get_fe();
+    const Dofs dofs = dofs_of(cell);
+    for_points_in(cell, space.mapping(), grid, [&](int point, const Point<dim>& unit) {
+      int& row = row_[static_cast<std::size_t>(point)];
+      if (row >= 0) return;
+      row = n_rows++;
+      for (unsigned i = 0; i < dofs.size(); ++i) {
+        if (fe.system_to_component_index(i).first != phi_component) continue;
+        const double value = fe.shape_value_component(i, unit, phi_component);
+        for (const auto& [unknown, weight] : simulation.unknowns()->expansion(dofs[i]))
+          if (const auto at = column.find(unknown); at != column.end())
+            entries.emplace_back(row, at->second, weight * value);
+      }
+    });
+  }
+  rows_.resize(n_rows, static_cast<Eigen::Index>(model.basis.unknown.size()));
+  rows_.setFromTriplets(entries.begin(), entries.end());
+  const Series series = upbead::respond(model.model, sampled_loads(simulation.scene(), simulation.compiled()->system));
+  time_ = series.time;
+  velocities_ = series.reading;
+  basis_ = &model.basis;
+}
+
+std::function<double(double, double)> PressureMap::at(double time) const {
+  const auto after = std::lower_bound(time_.begin(), time_.end(), time);
+  auto column = static_cast<Eigen::Index>(after - time_.begin());
+  if (after == time_.end() || (column > 0 && time - *std::prev(after) < *after - time)) --column;
+  const Eigen::VectorXd pressure = rows_ * phi_velocities(*basis_, velocities_.col(column));
+  std::vector<double> values(row_.size(), NAN);
+  for (std::size_t i = 0; i < row_.size(); ++i)
+    if (row_[i] >= 0) values[i] = pressure[row_[i]];
+  return [grid = grid_, values = std::move(values)](double x, double y) {
+    const double s = std::clamp((x - grid.x[0]) / grid.spacing(0), 0., grid.n[0] - 1.001);
+    const double t = std::clamp((y - grid.y[0]) / grid.spacing(1), 0., grid.n[1] - 1.001);
+    const int i = static_cast<int>(s), j = static_cast<int>(t);
+    double sum = 0., weights = 0.;
+    for (const int right : {0, 1})
+      for (const int up : {0, 1}) {
+        const double value = values[static_cast<std::size_t>((j + up) * grid.n[0] + i + right)];
+        const double weight = 1e-9 + (right ? s - i : 1. - s + i) * (up ? t - j : 1. - t + j);
+        if (std::isnan(value)) continue;
+        sum += weight * value;
+        weights += weight;
+      }
+    return weights > 0. ? sum / weights : 0.;
+  };
+}
+
+}  // namespace upbead

@@ -1,0 +1,40 @@
+// The computed pore pressure of the ground at any time, on a grid of points.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// A rectangle of points side by side.
+struct PointGrid {
+  std::array<double, 2> x{}, y{};  ///< from, to (m)
+  std::array<int, 2> n{2, 2};      ///< points along x and y
+  double spacing(int direction) const {
+    const auto& ends = direction == 0 ? x : y;
+    return (ends[1] - ends[0]) / (n[static_cast<std::size_t>(direction)] - 1);
+  }
+};
+
+/// Excess pore pressure of a solution with PressureModel, which must outlive this.
+class PressureMap {
+ public:
+  PressureMap(const Solution& solution, const PointGrid& grid);
+
+  /// Excess pressure (Pa) at (x, y) at the computed time next to `time`, linear between the points of the grid that are
+  /// in pore water; 0 where none is near.
+  std::function<double(double x, double y)> at(double time) const;
+
+ private:
+  PointGrid grid_;
+  std::vector<int> row_;  ///< of each point in `rows_`, x fastest; -1: not in pore water
+  SparseMatrix rows_;     ///< maps phi' to the pressures of these points
+  std::vector<double> time_;
+  Eigen::MatrixXd velocities_;  ///< of the coordinates of phi, by coordinate and time
+  const FieldBasis* basis_ = nullptr;
+};
+
+}  // namespace upbead

@@ -1,0 +1,88 @@
+// What `upbead reliability` finds, and its output as text and JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/design.h"
+#include "output/checks.h"
+#include "reliability/methods.h"
+
+namespace upbead {
+
+struct OutputRow;
+
+/// Two methods that differ by more than this in beta disagree.
+constexpr double most_spread = 0.1;
+
+/// A probability and its beta; none where the probability is 0 or 1, or not known.
+struct Chance {
+  std::optional<double> probability, index;
+};
+
+/// A variable at the design point, in its own unit.
+struct DesignValue {
+  std::string variable, acts_on, unit;
+  double characteristic = 0.;            ///< the number of the design
+  double value = 0.;                     ///< at the design point
+  double alpha = 0.;                     ///< component of the unit vector to u*
+  double importance = 0.;                ///< alpha^2
+  std::optional<double> partial_factor;  ///< value / characteristic; none where that is 0
+};
+
+/// A limit state, or a gate of the fault tree.
+struct ModeAnswer {
+  std::string name, meaning;
+  bool is_system = false;
+  std::string why_not;                ///< it was not asked; "" where it was
+  std::vector<MethodAnswer> methods;  ///< those asked for
+  std::string governing;              ///< the method with the least beta; "": none has an answer
+  Chance occasion, year, life;        ///< by that method
+  std::optional<double> spread;       ///< largest difference of beta between two methods
+  std::string disagreement;           ///< of two methods by more than 0.1 in beta; "" where they agree
+  std::vector<DesignValue> point;     ///< empty where none was found
+};
+
+/// A demand of a code, beside what was found.
+struct CodeRow {
+  std::string code, what, unit;
+  std::optional<double> value, target;
+  bool at_least = false;  ///< the value must not fall below the target
+  std::string source;     ///< of the target
+  std::string why_not;    ///< there is no value
+  std::optional<bool> holds() const;
+};
+
+struct ReliabilityAnswer {
+  std::string wave;
+  std::vector<ModeAnswer> modes;  ///< limit states, then gates of the fault tree
+  std::string system;             ///< name of the mode that stands for the whole
+  std::vector<CodeRow> codes;
+  NumberedWarnings variables;  ///< what is doubtful in the distributions
+};
+
+/// The mode of that name. Throws std::invalid_argument where there is none.
+const ModeAnswer& mode_of(const ReliabilityAnswer& answer, const std::string& name);
+
+/// Methods of one mode: chooses the one that governs, and finds disagreements; `occasions` of a year, `years` of life.
+ModeAnswer judged(ModeAnswer mode, double occasions, double years);
+
+/// Names of the limit states, as a fault tree may name them.
+std::vector<std::string> limit_state_names();
+
+/// The sheets of codes. With [life], S of whole lives by Monte Carlo as in `upbead expected`.
+std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer);
+
+/// The answer of all. Throws NumericsError where Goda's formulas do not accept what the variables reach.
+ReliabilityAnswer find_reliability(const Design& design);
+
+Checks checks_of(const Design& design, const ReliabilityAnswer& answer);
+NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer);
+std::string describe(const Design& design, const ReliabilityAnswer& answer);
+/// summary.json. Throws NumericsError where a number is not finite.
+std::string to_json(const Design& design, const ReliabilityAnswer& answer);
+/// The keys of that JSON.
+std::vector<OutputRow> rows_of_reliability();
+
+}  // namespace upbead

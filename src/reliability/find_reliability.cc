@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "reliability/answer.h"
+#include "reliability/fault_tree.h"
+#include "reliability/random_variables.h"
+#include "reliability/section_model.h"
+#include "reliability/system_form.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// What all modes share.
+struct Work {
+  const DesignTables& tables;
+  std::vector<std::string> names;  ///< of the variables
+  std::vector<RandomVariable> variables;
+  std::shared_ptr<SectionModel> model;
+  StandardSpace space;
+  Sampling sampling;
+};
+
+StandardSpace space_of(const RandomVariables& random, const Document& document) {
+  try {
+    return StandardSpace(random);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(document.place("reliability"), std::string("[reliability]: ") + error.what(),
+                     "look at its variables and correlations");
+  }
+}
+
+RandomVariables random_of(const DesignTables& tables) {
+  RandomVariables random{{}, complete_variables(tables), {}};
+  for (const auto& [name, variable] : tables.reliability->variables) random.names.push_back(name);
+  for (const auto& [name, correlation] : tables.reliability->correlations) random.correlations.push_back(correlation);
+  return random;
+}
+
+Work work_of(const Design& design) {
+  const DesignTables& tables = design.tables;
+  const ReliabilityTable& table = *tables.reliability;
+  const RandomVariables random = random_of(tables);
+  return {tables,
+          random.names,
+          random.list,
+          std::make_shared<SectionModel>(tables),
+          space_of(random, design.document),
+          {static_cast<std::uint32_t>(table.seed), table.samples, table.plain_samples}};
+}
+
+bool asked(const Work& work, const std::string& method) {
+  const std::vector<std::string>& list = work.tables.reliability->methods.names;
+  return std::find(list.begin(), list.end(), method) != list.end();
+}
+
+std::vector<DesignValue> values_at(const Work& work, const DesignPoint& point) {
+  const std::vector<double> x = work.space.physical(point.u);
+  std::vector<DesignValue> list;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    DesignValue value;
+    value.variable = work.names[i];
+    value.acts_on = work.variables[i].acts_on;
+    value.unit = unit_at(work.tables, value.acts_on);
+    value.characteristic = work.model->certain()[i];
+    value.value = x[i];
+    value.alpha = point.alpha[i];
+    value.importance = point.alpha[i] * point.alpha[i];
+    if (value.characteristic != 0.) value.partial_factor = x[i] / value.characteristic;
+    list.push_back(value);
+  }
+  return list;
+}
+
+/// Adds what sampling finds, in the order in which methods are told.
+void add_samples(const Work& work, const Margin& margin, const std::vector<DesignPoint>& points, ModeAnswer& mode) {
+  const std::size_t size = work.space.size();
+  if (asked(work, "importance")) mode.methods.push_back(by_importance(margin, points, work.sampling));
+  if (asked(work, "subset")) mode.methods.push_back(by_subset(margin, size, work.sampling));
+  if (asked(work, "plain")) mode.methods.push_back(by_plain(margin, size, work.sampling));
+}
+
+Margin margin_of(const Work& work, const SectionLimitState& state) {
+  return [model = work.model, space = work.space, g = state.margin](const std::vector<double>& u) {
+    return g(model->at(space.physical(u)));
+  };
+}
+
+ModeAnswer mode_of(const Work& work, const SectionLimitState& state, const DesignPointSearch& found) {
+  ModeAnswer mode;
+  mode.name = state.name;
+  mode.meaning = state.meaning;
+  mode.why_not = state.why_not;
+  if (!state.margin) return mode;
+  const Margin margin = margin_of(work, state);
+  if (asked(work, "form")) mode.methods.push_back(by_form(found));
+  if (asked(work, "sorm")) mode.methods.push_back(by_sorm(margin, found));
+  std::vector<DesignPoint> points;
+  if (found.point) points.push_back(*found.point);
+  add_samples(work, margin, points, mode);
+  if (found.point) mode.point = values_at(work, *found.point);
+  return mode;
+}
+
+ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& tree,
+                   const std::vector<SectionLimitState>& states, const std::vector<DesignPointSearch>& found) {
+  ModeAnswer mode;
+  mode.name = name;
+  mode.is_system = true;
+  const CutSets sets = tree.cut_sets();
+  for (const auto& set : sets) {
+    std::string all;
+    for (const std::size_t i : set) {
+      all += (all.empty() ? "" : " and ") + states[i].name;
+      if (!states[i].margin && mode.why_not.empty()) mode.why_not = states[i].name + ": " + states[i].why_not;
+    }
+    mode.meaning += (mode.meaning.empty() ? "" : ", or ") + all;
+  }
+  if (!mode.why_not.empty()) return mode;
+  const Margin margin = [model = work.model, space = work.space, tree, states](const std::vector<double>& u) {
+    const SectionPoint at = model->at(space.physical(u));
+    std::vector<double> margins;
+    for (const SectionLimitState& state : states) margins.push_back(state.margin ? state.margin(at) : 1.);
+    return tree.margin(margins);
+  };
+  const std::vector<DesignPoint> points = design_points(found, sets);
+  if (asked(work, "form")) mode.methods.push_back(by_system_form(found, sets));
+  add_samples(work, margin, points, mode);
+  if (!points.empty()) mode.point = values_at(work, points.front());
+  return mode;
+}
+
+/// The fault tree of the user; without one any limit state but S beyond the distances of codes.
+std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
+                                           const std::vector<SectionLimitState>& states) {
+  if (!table.system.empty()) return table.system;
+  SystemNode any;
+  any.any.emplace();
+  for (const SectionLimitState& state : states)
+    if (state.margin && !state.of_codes) any.any->names.push_back(state.name);
+  return {{"system", any}};
+}
+
+/// The gate that is part of no other one; the first of several.
+std::string top_of(const std::map<std::string, SystemNode>& gates) {
+  for (const auto& [name, gate] : gates) {
+    bool inside = false;
+    for (const auto& [other, above] : gates)
+      for (const std::string& part : (above.any ? above.any : above.all)->names) inside = inside || part == name;
+    if (!inside) return name;
+  }
+  return gates.begin()->first;
+}
+
+ReliabilityAnswer answer_of(const Design& design) {
+  const Work work = work_of(design);
+  const ReliabilityTable& table = *design.tables.reliability;
+  const std::vector<SectionLimitState> states =
+      section_limit_states(work.model->at(work.model->certain()), seaward_force(design.tables));
+  const std::map<std::string, SystemNode> gates = gates_of(table, states);
+  ReliabilityAnswer answer;
+  answer.wave = random_wave(design.tables);
+  answer.variables = not_positive(random_of(design.tables));
+  Progress line("sampling");
+  const double all = static_cast<double>(states.size() + gates.size());
+  const auto add = [&](ModeAnswer mode) {
+    answer.modes.push_back(judged(std::move(mode), table.occasions_per_year, table.years));
+    check_interrupt();
+    line.update(static_cast<double>(answer.modes.size()) / all);
+  };
+  std::vector<DesignPointSearch> found;
+  std::vector<std::string> names;
+  for (const SectionLimitState& state : states) {
+    names.push_back(state.name);
+    found.push_back(state.margin ? find_design_point(margin_of(work, state), work.space.size())
+                                 : DesignPointSearch{{}, state.why_not});
+    add(mode_of(work, state, found.back()));
+  }
+  for (const auto& [name, gate] : gates) add(gate_of(work, name, FaultTree(gates, name, names), states, found));
+  answer.system = top_of(gates);
+  answer.codes = code_rows(design, answer);
+  return answer;
+}
+
+}  // namespace
+
+ReliabilityAnswer find_reliability(const Design& design) {
+  try {
+    return answer_of(design);
+  } catch (const std::invalid_argument& error) {
+    throw NumericsError(std::string("a sample of the variables lies where formulas do not hold: ") + error.what() +
+                        "; cut distributions by low and high, or take a narrower one");
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "base/text.h"
+#include "reliability/answer.h"
+
+namespace upbead {
+
+namespace {
+
+using TextRow = std::vector<std::string>;
+
+/// Columns as wide as needed, the first aligned to the left, all other ones to the right.
+std::string columns(const std::vector<TextRow>& rows) {
+  std::vector<std::size_t> width(rows.front().size());
+  for (const TextRow& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  std::string text;
+  for (const TextRow& row : rows) {
+    text += row[0] + std::string(width[0] - row[0].size(), ' ');
+    for (std::size_t i = 1; i < row.size(); ++i) text += "  " + std::string(width[i] - row[i].size(), ' ') + row[i];
+    text += "\n";
+  }
+  return text;
+}
+
+std::string cell(const std::optional<double>& value, int digits = 3) {
+  return value ? significant(*value, digits) : "-";
+}
+
+TextRow chances_row(const ModeAnswer& mode) {
+  return {mode.name,
+          cell(mode.occasion.probability),
+          cell(mode.year.probability),
+          cell(mode.life.probability),
+          cell(mode.occasion.index),
+          cell(mode.life.index),
+          mode.governing.empty() ? "-" : mode.governing};
+}
+
+/// beta by each method, with the coefficient of variation of sampled probabilities.
+std::string methods_table(const ReliabilityAnswer& answer) {
+  std::vector<TextRow> rows{{"mode"}};
+  for (const ModeAnswer& mode : answer.modes) {
+    if (mode.methods.empty()) continue;
+    TextRow row{mode.name};
+    for (const std::string& method : reliability_methods)
+      for (const MethodAnswer& found : mode.methods)
+        if (found.method == method)
+          row.push_back(cell(found.index, 4) +
+                        (found.variation ? " (" + significant(100. * *found.variation, 2) + " %)" : ""));
+    if (mode.is_system && row.size() < rows.front().size() && rows.front()[2] == "sorm")
+      row.insert(row.begin() + 2, "-");
+    if (rows.front().size() == 1)
+      for (const MethodAnswer& found : mode.methods) rows.front().push_back(found.method);
+    rows.push_back(row);
+  }
+  return "\nIndex beta of an occasion by each method (coefficient of variation of the probability)\n" + columns(rows);
+}
+
+std::string point_table(const ModeAnswer& mode) {
+  std::vector<TextRow> rows{
+      {"  variable", "acts on", "characteristic", "design value", "importance", "partial factor"}};
+  for (const DesignValue& v : mode.point)
+    rows.push_back({"  " + v.variable, v.acts_on, with_unit(v.characteristic, v.unit), with_unit(v.value, v.unit),
+                    percent(v.importance), cell(v.partial_factor)});
+  return mode.name + "\n" + columns(rows);
+}
+
+std::string codes_table(const ReliabilityAnswer& answer) {
+  std::vector<TextRow> rows{{"code: what", "found", "target", ""}};
+  std::string none;
+  for (const CodeRow& row : answer.codes) {
+    const std::optional<bool> holds = row.holds();
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    rows.push_back({row.code + ": " + row.what, row.value ? cell(row.value) + unit : "-",
+                    row.target ? (row.at_least ? ">= " : "<= ") + cell(row.target) + unit : "-",
+                    !holds   ? "-"
+                    : *holds ? "holds"
+                             : "FAILS"});
+    if (!row.why_not.empty() && none.find(row.why_not) == std::string::npos) none += row.why_not + "\n";
+  }
+  return "\nDemands of codes, side by side (all targets but that of 1998 are assumed, from memory)\n" + columns(rows) +
+         none;
+}
+
+std::string reasons(const ReliabilityAnswer& answer) {
+  std::string text;
+  for (const ModeAnswer& mode : answer.modes) {
+    if (!mode.why_not.empty()) text += mode.name + ": " + mode.why_not + "\n";
+    for (const MethodAnswer& method : mode.methods)
+      if (!method.why_not.empty()) text += mode.name + " by " + method.method + ": " + method.why_not + "\n";
+    if (!mode.disagreement.empty()) text += mode.name + ": " + mode.disagreement + "\n";
+  }
+  return text;
+}
+
+constexpr double most_variation = 0.3;
+
+NumberedWarnings few_samples(const ReliabilityAnswer& answer) {
+  NumberedWarnings list;
+  for (const ModeAnswer& mode : answer.modes)
+    for (const MethodAnswer& method : mode.methods)
+      if (method.variation.value_or(0.) > most_variation)
+        list.push_back({"too_few_samples", *method.variation, most_variation, "1",
+                        mode.name + ": the probability by " + method.method + " has a coefficient of variation of " +
+                            significant(*method.variation, 2),
+                        "raise reliability.samples or plain_samples"});
+  return list;
+}
+
+/// One warning for all modes, with the largest difference.
+NumberedWarnings disagreements(const ReliabilityAnswer& answer) {
+  double worst = 0.;
+  std::string text;
+  std::vector<std::string> modes;
+  for (const ModeAnswer& mode : answer.modes) {
+    if (mode.disagreement.empty()) continue;
+    modes.push_back(mode.name);
+    if (*mode.spread <= worst) continue;
+    worst = *mode.spread;
+    text = mode.name + ": " + mode.disagreement;
+  }
+  if (modes.empty()) return {};
+  return {{"methods_disagree", worst, most_spread, "1",
+           text + (modes.size() > 1 ? " (likewise other modes of " + join(modes) + ")" : ""),
+           "look at which methods agree, take more samples, or let \"plain\" judge where failure is not too rare"}};
+}
+
+}  // namespace
+
+std::string describe(const Design& design, const ReliabilityAnswer& answer) {
+  const ReliabilityTable& table = *design.tables.reliability;
+  std::string text = design.tables.title.empty() ? "" : design.tables.title + "\n";
+  text += "wave " + answer.wave + ", " + significant(table.occasions_per_year, 6) + " a year, " +
+          significant(table.years, 6) + " years, taken as independent of each other; seed " +
+          std::to_string(table.seed) + "\n\nProbability of failure\n";
+  std::vector<TextRow> rows{{"mode", "occasion", "year", "life, at most", "beta", "beta of life", "by"}};
+  for (const ModeAnswer& mode : answer.modes) rows.push_back(chances_row(mode));
+  text += columns(rows) + methods_table(answer) + reasons(answer) + "\nDesign points, where failure is likeliest\n";
+  for (const ModeAnswer& mode : answer.modes)
+    if (!mode.point.empty()) text += point_table(mode);
+  text += codes_table(answer);
+  const Checks checks = checks_of(design, answer);
+  return text + "\n" + describe(verdict_of(checks, warnings_of(design, answer)), checks);
+}
+
+Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
+  const ModeAnswer& system = mode_of(answer, answer.system);
+  Check check = check_of("reliability index of the life", "", system.life.index, "modes." + system.name + ".life.index",
+                         "occasions are independent of each other");
+  check.by = "formulas";
+  check.wave = answer.wave;
+  if (!system.life.index) return {not_checked(check, system.why_not.empty() ? "its probability is 1" : system.why_not)};
+  return {at_least_as(check, design.tables.reliability->target)};
+}
+
+NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
+  NumberedWarnings list = design.implausible;
+  append(list, answer.variables);
+  append(list, few_samples(answer));
+  append(list, disagreements(answer));
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,60 @@
+// A section in one wave whose numbers are random, and the margins of its limit states by Goda's formulas with alpha*.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "design/design_tables.h"
+#include "reliability/seaward.h"
+#include "upbead/expected/sliding_law.h"
+
+namespace upbead {
+
+/// What acts and resists at one point of the variables, per metre.
+struct SectionPoint {
+  Section section;        ///< at its water level, with the factors of mu and W
+  WavePressure pressure;  ///< with the factors of P and U
+  SlidingLoad load;
+  Limits limits;
+  double height = 0.;          ///< H (m)
+  double force_factor = 1.;    ///< of P
+  double sliding_factor = 1.;  ///< of S
+};
+
+/// The section at values x of the variables of [reliability.variables], in the order of their names.
+class SectionModel {
+ public:
+  /// `tables`: of a design that check_reliability() has accepted.
+  explicit SectionModel(const DesignTables& tables);
+  SectionModel(const SectionModel&) = delete;
+  SectionModel& operator=(const SectionModel&) = delete;
+  /// Throws std::invalid_argument where Goda's formulas do not accept x: a depth that is not above 0.
+  SectionPoint at(const std::vector<double>& x);
+  /// The numbers of the design, where all variables are certain: characteristic values.
+  const std::vector<double>& certain() const { return certain_; }
+
+ private:
+  DesignTables tables_;
+  std::string wave_;
+  std::vector<double> factors_;   ///< in the order of random_factors
+  std::vector<double*> targets_;  ///< the number of each variable, in tables_ or factors_
+  std::vector<double> certain_;
+};
+
+/// A way to fail, with its margin: below 0 it fails. All margins are without unit, smooth where S or p_e is not.
+struct SectionLimitState {
+  std::string name, meaning;
+  std::function<double(const SectionPoint&)> margin;
+  std::string why_not;    ///< it cannot be asked; "" where it can
+  bool of_codes = false;  ///< a distance that codes ask for, no failure of the section
+};
+
+/// S > limit (m), as a margin that does not end where S = 0. See limit_states.cc.
+double sliding_margin(const SectionPoint& at, double limit);
+
+/// Sliding and overturning, S and p_e beyond [limits]; then S beyond 0.1, 0.3 and 1.0 m of codes. `at`: the section
+/// where all is certain.
+std::vector<SectionLimitState> section_limit_states(const SectionPoint& at, const SeawardForce& seaward);
+
+}  // namespace upbead

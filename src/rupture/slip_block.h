@@ -1,0 +1,35 @@
+// Safety of ground that slips on a plane, as along a weak layer, between a wedge that sinks behind it and one that is
+// pushed up before it: horizontal forces, without shear between slices (Janbu 1954, Application of composite slip
+// surfaces for stability analysis, European Conf. on Stability of Earth Slopes, Stockholm, 3, 43-49; Fredlund and Krahn
+// 1977), and without Janbu's factor f_0 >= 1 on the result.
+#pragma once
+
+#include "rupture/circle_search.h"
+
+namespace upbead {
+
+/// Corners of the line below the ground that slips, from left to right; the first and the last are on the surface.
+struct SlipBlock {
+  std::array<double, 4> x{}, y{};  ///< m
+};
+
+FigureSafety block_safety(const GroundSection& section, const GroundLoads& loads, const SlipBlock& block, SlipsTo slips,
+                          int n_slices);
+
+struct FoundBlock {
+  SlipBlock block;
+  FigureSafety safety;
+};
+
+struct BlockOptions {
+  int n_slices = 30, n_slices_found = 400;
+  std::array<int, 5> grid{6, 8, 8, 5, 5};  ///< ends on the left, on the right, levels, slopes of both wedges
+  int starts = 4;
+};
+
+/// The least safe block with ends in `range` and a level plane at y in `levels`; none where no block has a factor.
+std::optional<FoundBlock> search_blocks(const GroundSection& section, const GroundLoads& loads, SlipsTo slips,
+                                        const CircleRange& range, const std::array<double, 2>& levels,
+                                        const BlockOptions& options = {});
+
+}  // namespace upbead

@@ -1,0 +1,201 @@
+// Margins of a section whose numbers are random, against the formulas that they are made of; FORM and sampling against
+// each other on the problem of sliding in closed form.
+#include "reliability/section_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reliability/methods.h"
+#include "reliability/random_variables.h"
+#include "upbead/sliding/pulse.h"
+#include "upbead/waves/standing_stability.h"
+
+namespace upbead {
+namespace section_model_test {
+
+RandomVariable variable(const std::string& acts_on, double mean, double deviation) {
+  RandomVariable v;
+  v.acts_on = acts_on;
+  v.mean = mean;
+  v.deviation = deviation;
+  return v;
+}
+
+DesignTables section_with(const std::map<std::string, RandomVariable>& variables) {
+  DesignTables tables;
+  Section& s = tables.section;
+  s.water_depth = 12.;
+  s.foundation_depth = s.berm_depth = 7.;
+  s.crest = 10.;
+  s.width = 20.;
+  s.berm_width = 8.;
+  s.bed_slope = 0.02;
+  s.weight = 7.004e6;
+  s.submerged_weight = 5.589e6;
+  tables.waves["design"].height = 8.;
+  tables.waves["design"].period = 12.;
+  tables.limits.sliding = 0.3;
+  tables.limits.base_pressure = 600e3;
+  tables.reliability.emplace();
+  tables.reliability->variables = variables;
+  return tables;
+}
+
+const SectionLimitState& state_of(const std::vector<SectionLimitState>& states, const std::string& name) {
+  return *std::find_if(states.begin(), states.end(), [&](const SectionLimitState& s) { return s.name == name; });
+}
+
+double margin(SectionModel& model, const std::string& name, const std::vector<double>& x) {
+  return state_of(section_limit_states(model.at(model.certain()), {}), name).margin(model.at(x));
+}
+
+TEST(SectionModel, PutsValuesWhereVariablesAct) {
+  SectionModel model(section_with({{"a", variable("section.friction", 0.6, 0.1)},
+                                   {"b", variable("force", 1., 0.1)},
+                                   {"c", variable("water_level", 0., 0.5)},
+                                   {"d", variable("waves.design.height", 8., 1.)},
+                                   {"e", variable("weight", 1., 0.05)}}));
+  EXPECT_EQ(model.certain(), (std::vector<double>{0.6, 1., 0., 8., 1.}));
+  const SectionPoint certain = model.at(model.certain()), other = model.at({0.5, 1.2, 1., 7., 1.1});
+  EXPECT_EQ(other.section.friction, 0.5);
+  EXPECT_EQ(other.section.water_depth, 13.);
+  // W' falls by the rise's buoyancy and grows by a tenth of W
+  EXPECT_NEAR(other.section.submerged_weight, 5.589e6 - 1030. * 9.81 * 20. + 0.1 * 7.004e6, 1.);
+  DesignWave wave{7., 7. / 1.8, 12., 0.};
+  const WavePressure goda = Goda(other.section, Water(), wave).at(7.);
+  EXPECT_NEAR(other.pressure.force, 1.2 * goda.force, 1e-6 * goda.force);
+  EXPECT_NEAR(other.pressure.uplift, goda.uplift, 1e-6 * goda.uplift);
+  EXPECT_EQ(model.at(model.certain()).pressure.force, certain.pressure.force);  // nothing of another point is left
+}
+
+/// Each margin changes its sign where the formula passes its limit.
+TEST(LimitStates, PassZeroWhereTheFormulasPassTheirLimits) {
+  SectionModel model(section_with({{"a", variable("force", 1., 0.1)}, {"b", variable("uplift", 1., 0.1)}}));
+  for (double force = 0.1; force < 6.; force += 0.01) {
+    const std::vector<double> x{force, 1.3};
+    const SectionPoint at = model.at(x);
+    const Stability s = stability(at.section, at.pressure);
+    EXPECT_EQ(margin(model, "sliding", x) < 0., s.safety_sliding < 1.) << force;
+    EXPECT_EQ(margin(model, "overturning", x) < 0., s.safety_overturning < 1.) << force;
+    EXPECT_EQ(margin(model, "heel_pressure", x) < 0., !s.heel_pressure || *s.heel_pressure > 600e3) << force;
+    const double S = sliding_distance_exact(at.load.mass, at.load.resistance, at.load.pulse);
+    EXPECT_EQ(margin(model, "sliding_distance", x) < 0., S > 0.3) << force;
+    EXPECT_EQ(margin(model, "sliding_0_1", x) < 0., S > 0.1) << force;
+  }
+}
+
+/// FORM needs a slope where S = 0, and none of the margins may jump.
+TEST(LimitStates, HaveMarginsThatFallSmoothlyWithTheForce) {
+  SectionModel model(section_with({{"a", variable("force", 1., 0.1)}}));
+  for (const char* name : {"sliding", "overturning", "sliding_distance", "heel_pressure"}) {
+    double before = margin(model, name, {0.3}), slope_before = 0.;
+    for (double force = 0.31; force < 6.; force += 0.01) {
+      const double now = margin(model, name, {force}), slope = now - before;
+      EXPECT_LT(slope, 0.) << name << " at " << force;
+      if (slope_before < 0.) {
+        EXPECT_NEAR(slope / slope_before, 1., 0.3) << name << " at " << force;
+      }
+      before = now;
+      slope_before = slope;
+    }
+  }
+}
+
+TEST(LimitStates, WithoutALimitCannotBeAsked) {
+  DesignTables tables = section_with({{"a", variable("force", 1., 0.1)}});
+  tables.limits = {};
+  SectionModel model(tables);
+  const auto states = section_limit_states(model.at({1.}), {{}, 0., "not asked"});
+  EXPECT_FALSE(state_of(states, "heel_pressure").margin);
+  EXPECT_THAT(state_of(states, "heel_pressure").why_not, testing::HasSubstr("limits.base_pressure"));
+  EXPECT_THAT(state_of(states, "sliding_distance").why_not, testing::HasSubstr("limits.sliding"));
+}
+
+TEST(LimitStates, FloatingFails) {
+  SectionModel model(section_with({{"a", variable("uplift", 1., 0.1)}}));
+  for (const char* name : {"sliding", "overturning", "sliding_distance", "heel_pressure"})
+    EXPECT_LT(margin(model, name, {30.}), 0.) << name;
+}
+
+/// At heights between those that were solved, against a wave that is solved there.
+TEST(Seaward, ForceIsThatOfTheStandingWave) {
+  DesignTables tables = section_with({{"a", variable("force", 1., 0.1)}});
+  tables.waves["design"].height = 4.;
+  const SeawardForce table = seaward_force(tables);
+  ASSERT_TRUE(table.of_height) << table.why_not;
+  for (const double height : {1.3, 2.9, 4.1}) {
+    const StandingResult solved = standing_answer(tables.section, tables.water, {height, height / 1.8, 12., 0.});
+    ASSERT_TRUE(solved.answer) << solved.why_not;
+    EXPECT_NEAR(table.of_height(height), solved.answer->seaward.force, 0.005 * solved.answer->seaward.force) << height;
+  }
+  EXPECT_EQ(table.of_height(50.), table.of_height(table.highest));
+}
+
+TEST(Seaward, IsNotAskedWhereTheWaveOfTheDesignBreaks) {
+  DesignTables tables = section_with({{"a", variable("force", 1., 0.1)}});
+  tables.waves["design"].height = 11.;
+  EXPECT_THAT(seaward_force(tables).why_not, testing::HasSubstr("no standing wave of the design's height"));
+}
+
+TEST(Seaward, IsNotAskedWhereTheStandingWaveItselfIsRandom) {
+  const SeawardForce none = seaward_force(section_with({{"tide", variable("water_level", 0., 0.5)}}));
+  EXPECT_FALSE(none.of_height);
+  EXPECT_THAT(none.why_not, testing::HasSubstr("tide changes the standing wave"));
+}
+
+RandomVariables of(const DesignTables& tables) {
+  RandomVariables out{{}, complete_variables(tables), {}};
+  for (const auto& [name, v] : tables.reliability->variables) out.names.push_back(name);
+  return out;
+}
+
+DesignTables sliding_problem() {
+  DesignTables tables = section_with({{"friction", variable("section.friction", 0.636, 0.1)},
+                                      {"goda", variable("force", 0.91, 0.155)},
+                                      {"height", variable("waves.design.height", 7.5, 1.)},
+                                      {"weight", variable("weight", 1.02, 0.04)}});
+  tables.reliability->variables["height"].kind = RandomKind::gumbel;
+  tables.section.submerged_weight = 3.4e6;  // so light that plain samples see it fail
+  tables.section.weight = 4.8e6;
+  return tables;
+}
+
+struct Compared {
+  double form, sorm, importance, subset, plain;
+};
+
+/// S of one wave above 0.1 m.
+Compared compare(const Sampling& sampling) {
+  const DesignTables tables = sliding_problem();
+  const auto model = std::make_shared<SectionModel>(tables);
+  const StandardSpace space(of(tables));
+  const Margin g = [model, space](const std::vector<double>& u) {
+    return sliding_margin(model->at(space.physical(u)), 0.1);
+  };
+  const DesignPointSearch found = find_design_point(g, space.size());
+  return {*by_form(found).index, *by_sorm(g, found).index, *by_importance(g, {*found.point}, sampling).index,
+          *by_subset(g, space.size(), sampling).index, *by_plain(g, space.size(), sampling).index};
+}
+
+void expect_near_plain(const Compared& beta) {
+  EXPECT_NEAR(beta.form, beta.plain, 0.05);
+  EXPECT_NEAR(beta.sorm, beta.plain, 0.05);
+  EXPECT_NEAR(beta.importance, beta.plain, 0.05);
+  EXPECT_NEAR(beta.subset, beta.plain, 0.05);
+}
+
+TEST(Sliding, HasTheIndexOfPlainSamplingByAllMethods) {
+  expect_near_plain(compare({1, 20000, 200000, 0.01}));
+}
+
+TEST(Sliding, HasTheIndexOfTenMillionPlainSamplesAtLength) {
+  const Compared beta = compare({1, 20000, 10000000, 0.01});
+  expect_near_plain(beta);
+  std::printf("form %.4f sorm %.4f importance %.4f subset %.4f plain %.4f\n", beta.form, beta.sorm, beta.importance,
+              beta.subset, beta.plain);
+}
+
+}  // namespace section_model_test
+}  // namespace upbead

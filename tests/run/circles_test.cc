@@ -1,0 +1,162 @@
+// Claims: the section of a mesh has its surface, soils and weights; in a run circles are found at rest and in motion,
+// by the pressure of still water and by that computed; what governs is the least of them, agrees with the circle
+// evaluated by itself, and falls with the load; a limit makes a check, a factor below 1 a warning; without a strength
+// it is told why there are none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "findings/find.h"
+#include "findings/ground_section.h"
+#include "rupture/circle_search.h"
+#include "scenes.h"
+
+namespace upbead::test {
+namespace circles_test {
+
+Scene strong_scene(double peak) {
+  Scene scene = breakwater(triangle(peak, 0.2));
+  scene.initial.emplace().water_level = 6.;
+  scene.regions["seabed"].strength = Strength{35., 0.};
+  scene.regions["mound"].strength = Strength{40., 20e3};
+  scene.time.end = 0.6;
+  scene.time.scheme = TimeScheme::reduced;
+  return scene;
+}
+
+Simulation simulation_of(const Scene& scene) {
+  return Simulation(scene, breakwater_mesh(0.5));
+}
+
+const Summary& summary_of(double peak) {
+  static std::map<double, Summary> made;
+  if (!made.count(peak)) made[peak] = simulation_of(strong_scene(peak)).run().summary;
+  return made[peak];
+}
+
+bool warns(const Summary& summary, const std::string& code) {
+  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
+                     [&](const NumberedWarning& w) { return w.name == code; });
+}
+
+const Check* check_named(const Summary& summary, const std::string& name) {
+  for (const Check& check : summary.checks)
+    if (check.name == name) return &check;
+  return nullptr;
+}
+
+TEST(Circles, AreOfTheSectionOfTheMesh) {
+  const Simulation simulation = simulation_of(strong_scene(1e5));
+  const GroundSection section = ground_section(simulation);
+  const Mesh& mesh = *simulation.mesh();
+  double area = 0., weight = 0.;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    if (mesh.surface_of(cell) != "caisson") area += area_of(cell);
+  const int n = 4000;
+  const double step = (section.right() - section.left()) / n;
+  double found = 0.;
+  for (int i = 0; i < n; ++i) {
+    const auto column = section.column(section.left() + (i + 0.5) * step);
+    ASSERT_TRUE(column && column->is_whole);
+    ASSERT_EQ(column->layers.back().soil, no_soil);
+    found += (column->surface() - column->layers.back().top) * step;
+    weight = std::max(weight, section.weight_above(*column, column->layers.back().top).force);
+  }
+  EXPECT_NEAR(found, area, 1e-4 * area);
+  EXPECT_GT(weight, 0.);
+  const Region& sand = simulation.scene().regions.at("seabed");
+  const auto edge = section.column(section.left() + 1e-3);
+  ASSERT_TRUE(edge);
+  EXPECT_NEAR(section.weight_above(*edge, edge->surface() - 1.).force,
+              (1. - *sand.porosity) * (*sand.grain_density - 1030.) * simulation.scene().gravity, 1.);
+}
+
+TEST(Circles, GovernByTheLeast) {
+  const Summary& s = summary_of(1e5);
+  ASSERT_TRUE(s.circles && s.circles->at_rest && s.circles->still && s.circles->computed && s.circles->governs);
+  EXPECT_EQ(s.why_no_circles, "");
+  const SlipCircles& c = *s.circles;
+  EXPECT_EQ(c.governs->factor, std::min({c.at_rest->factor, c.still->factor, c.computed->factor}));
+  EXPECT_FALSE(c.at_rest->time);
+  EXPECT_EQ(c.still->slips, "landward");
+  EXPECT_LT(c.still->factor, c.at_rest->factor);
+  EXPECT_NE(c.still->factor, c.computed->factor);
+  EXPECT_TRUE(c.block);
+  ASSERT_TRUE(check_named(s, "slip circles"));
+  EXPECT_FALSE(check_named(s, "slip circles")->holds);
+  EXPECT_FALSE(warns(s, "circles_open"));
+}
+
+TEST(Circles, AgreeWithTheCircleByItself) {
+  const Simulation simulation = simulation_of(strong_scene(1e5));
+  for (const SlipCircleFound& c : {*summary_of(1e5).circles->still, *summary_of(1e5).circles->at_rest}) {
+    GroundLoads loads;
+    const double q = c.force / (c.strip_to - c.strip_from);
+    const auto& caisson = *simulation.compiled()->caisson;
+    loads.strip = {c.strip_from, c.strip_to, q, q, c.shear, caisson.bottom_centre[1]};
+    const double middle = 0.5 * (c.strip_from + c.strip_to) - caisson.bottom_centre[0];
+    EXPECT_NEAR(middle, c.moment / c.force, 1e-9 * caisson.bottom_width);
+    const FigureSafety found =
+        circle_safety(ground_section(simulation), loads, {c.centre[0], c.centre[1], c.radius},
+                      c.slips == "landward" ? SlipsTo::right : SlipsTo::left, c.from, c.to, 4000);
+    EXPECT_NEAR(found.factor, c.factor, 3e-3 * c.factor);
+  }
+}
+
+TEST(Circles, AreLessSafeUnderALargerLoadAndAsSafeAtRest) {
+  const SlipCircles &small = *summary_of(1e5).circles, &large = *summary_of(2e5).circles;
+  EXPECT_NEAR(small.at_rest->factor, large.at_rest->factor, 1e-9);
+  EXPECT_LT(large.still->factor, small.still->factor);
+}
+
+TEST(Circles, AreJudgedByTheirLimit) {
+  const Simulation simulation = simulation_of(strong_scene(1e5));
+  Summary s = summary_of(1e5);
+  Scene scene = simulation.scene();
+  scene.limits.circles = 0.9 * s.circles->governs->factor;
+  const auto judged = [&] {
+    s.checks = checks_of(scene, s, {});
+    return check_named(s, "slip circles")->holds;
+  };
+  EXPECT_EQ(judged(), true);
+  scene.limits.circles = 1.1 * s.circles->governs->factor;
+  EXPECT_EQ(judged(), false);
+  s.circles->leaves_time = 0.1;
+  scene.limits.circles = 0.1;
+  EXPECT_EQ(judged(), false);
+}
+
+TEST(Circles, AreNotLookedForWithoutStrength) {
+  Scene scene = strong_scene(1e5);
+  for (const char* region : {"seabed", "mound"}) scene.regions[region].strength.reset();
+  scene.limits.circles = 1.;
+  const Summary s = simulation_of(scene).run().summary;
+  EXPECT_FALSE(s.circles);
+  EXPECT_EQ(s.why_no_circles, "no region has a table strength");
+  EXPECT_TRUE(warns(s, "circles_open"));
+  ASSERT_TRUE(check_named(s, "slip circles"));
+  EXPECT_EQ(check_named(s, "slip circles")->why_not, "no region has a table strength");
+}
+
+TEST(Circles, CutNoRegionWithoutStrength) {
+  Scene scene = strong_scene(1e5);
+  scene.regions["seabed"].strength.reset();
+  const Summary s = simulation_of(scene).run().summary;
+  ASSERT_TRUE(s.circles && s.circles->governs);
+  EXPECT_EQ(s.circles->uncut, "seabed");
+  EXPECT_GT(s.circles->governs->factor, summary_of(1e5).circles->governs->factor);
+}
+
+TEST(Circles, WarnOfAFactorBelowOne) {
+  Scene scene = strong_scene(1e5);
+  scene.regions["seabed"].strength = Strength{5., 0.};
+  scene.regions["mound"].strength = Strength{10., 0.};
+  const Summary s = simulation_of(scene).run().summary;
+  ASSERT_TRUE(s.circles && s.circles->governs);
+  EXPECT_LT(s.circles->governs->factor, 1.);
+  EXPECT_TRUE(warns(s, "slip_circle"));
+}
+
+}  // namespace circles_test
+}  // namespace upbead::test
