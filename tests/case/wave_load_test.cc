@@ -219,7 +219,11 @@ TEST_F(WaveLoadTest, WarnsOfAnImpactMilderThanGodasForce) {
 TEST_F(WaveLoadTest, ChecksByFormulasAreThoseOfTheSectionInItsWave) {
   for (const std::string course : {"church_roof", "sine", "standing"}) {
     const Case problem = read(wave_case("{ height = 5.0, period = 12.0, course = \"" + course + "\" }"));
-    const Checks checks = formula_checks(wave_summaries(problem), {0.3, 300e3, {}, 1.2, {}});
+    Limits limits;
+    limits.sliding = 0.3;
+    limits.base_pressure = 300e3;
+    limits.overturning = 1.2;
+    const Checks checks = formula_checks(wave_summaries(problem), limits);
     const Stability goda =
         stability(section_of_test, Goda(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.}).at(5.));
     const StandingResult standing = standing_answer(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.});

@@ -21,7 +21,9 @@ bool has(const std::string& text, const std::string& part) {
 Scene scene() {
   Scene scene;
   scene.sliding.emplace();
-  scene.limits = {0.3, 600e3, {}, 1.2, {}, {}};
+  scene.limits.sliding = 0.3;
+  scene.limits.base_pressure = 600e3;
+  scene.limits.overturning = 1.2;
   return scene;
 }
 
