@@ -147,6 +147,35 @@ std::string describe_direction(const WaveGiven& wave, const Section& section) {
          " towards it (Goda 2000): beta = " + significant(angle.turned, 4) + " degrees";
 }
 
+namespace {
+
+void declare_factors(TableSchema<Limits>& table) {
+  table
+      .key("sliding_factor", &Limits::sliding_factor, "",
+           "least safety factor against sliding landward, by formulas, that is allowed; 1.2 in Japanese practice, 1 "
+           "where it is not given")
+      .range(above(0.));
+  table
+      .key("seaward_sliding_factor", &Limits::seaward_sliding_factor, "",
+           "least safety factor against sliding seaward, in the trough, by formulas, that is allowed; as "
+           "sliding_factor where it is not given")
+      .range(above(0.));
+  table
+      .key("settlement", &Limits::settlement, "m",
+           "largest settlement of the caisson, left in the end by soil that yields, that is allowed")
+      .range(above(0.));
+  table
+      .key("tilt", &Limits::tilt, "rad",
+           "largest tilt of the caisson, left in the end by soil that yields, that is allowed")
+      .range(above(0.));
+  table
+      .key("lives_beyond", &Limits::lives_beyond, "",
+           "largest share of the lives that may slide farther than `sliding`")
+      .range(between(0., 1.));
+}
+
+}  // namespace
+
 TableSchema<Limits> limits_schema() {
   TableSchema<Limits> table;
   table
@@ -173,32 +202,11 @@ TableSchema<Limits> limits_schema() {
            "with less does not stand. Has the factor computed, as initial.safety does")
       .range(above(0.));
   table
-      .key("sliding_factor", &Limits::sliding_factor, "",
-           "least safety factor against sliding landward, by formulas, that is allowed; 1.2 in Japanese practice")
-      .range(above(0.))
-      .fallback("1");
-  table
-      .key("seaward_sliding_factor", &Limits::seaward_sliding_factor, "",
-           "least safety factor against sliding seaward, in the trough, by formulas, that is allowed")
-      .range(above(0.))
-      .fallback("as sliding_factor");
-  table
-      .key("settlement", &Limits::settlement, "m",
-           "largest settlement of the caisson, left in the end by soil that yields, that is allowed")
-      .range(above(0.));
-  table
-      .key("tilt", &Limits::tilt, "rad",
-           "largest tilt of the caisson, left in the end by soil that yields, that is allowed")
-      .range(above(0.));
-  table
-      .key("lives_beyond", &Limits::lives_beyond, "",
-           "largest share of the lives that may slide farther than `sliding`")
-      .range(between(0., 1.));
-  table
       .key("circles", &Limits::circles, "",
            "least factor of safety of slip circles through mound and ground under the caisson, by Bishop's simplified "
            "method, that is allowed; 1.0 in waves in Japanese practice. Only a run checks it")
       .range(above(0.));
+  declare_factors(table);
   return table;
 }
 

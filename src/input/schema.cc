@@ -20,11 +20,12 @@ bool check_is_table(const Node& node, const std::string& path, Diagnostics& repo
 }
 
 void check_known(const Node& node, const std::string& path, const Table& table, Diagnostics& report) {
-  std::vector<std::string> known = table.elsewhere(), former;
+  std::vector<std::string> known, former;
   for (const Key& key : table.keys()) {
     known.push_back(key.info.name);
     former.push_back(key.info.former);
   }
+  known.insert(known.end(), table.elsewhere().begin(), table.elsewhere().end());
   const auto has = [](const std::vector<std::string>& list, const std::string& name) {
     return !name.empty() && std::find(list.begin(), list.end(), name) != list.end();
   };

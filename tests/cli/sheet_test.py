@@ -91,9 +91,9 @@ class Sheet(ProgramTest):
                         .replace("overturning = 1.2", "overturning = -1.2") + "\n[regoins]\n")
         done = upbead("sheet", case, "--out", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
-        for word in ("waves.storm.period", "degrees", "overturning", "regoins"):
+        for word in ("period = -14", "degrees", "overturning = -1.2", "regoins"):
             self.assertIn(word, done.stderr)
-        self.assertEqual(done.stderr.count("limits.overturning"), 1)
+        self.assertEqual(done.stderr.count("overturning = -1.2"), 1)
         self.assertFalse((self.folder / "out").exists())
 
 

@@ -81,7 +81,7 @@ class Installed(unittest.TestCase):
         self.assertIn("\\-\\-checkpoint SECONDS", page)
         self.assertNotIn(str(self.folder), page)
         completion = self.prefix / "share/bash-completion/completions/upbead"
-        for words, completed in (("re", "reduce respond read"), ("run --ch", "--checkpoint"), ("run fi", "")):
+        for words, completed in (("re", "reduce reliability respond read"), ("run --ch", "--checkpoint"), ("run fi", "")):
             typed = ["upbead", *words.split()]
             script = (f"source {completion}; COMP_WORDS=({' '.join(typed)}); COMP_CWORD={len(typed) - 1}; _upbead; "
                       "echo ${COMPREPLY[@]}")

@@ -110,6 +110,9 @@ Summary full_summary() {
   s.waves.back().impact.emplace();
   s.periods = {{}};
   s.checks = {{}};
+  s.checks.back().balance.emplace();
+  s.circles.emplace().block.emplace();
+  s.circles->at_rest = s.circles->still = s.circles->computed = s.circles->governs = SlipCircleFound();
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();
   s.soil.emplace();

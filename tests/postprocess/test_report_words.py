@@ -11,7 +11,7 @@ SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] 
 sys.path.insert(0, str(SCRIPTS))
 
 from report import base, document, gauges, head, input_tables, language, loads, measures, response, run, sheet, waves, yielding  # noqa: E402
-from report.kinds import calibration, expected, study  # noqa: E402
+from report.kinds import calibration, expected, one_sheet, study  # noqa: E402
 from report.kinds import waves as wave_document  # noqa: E402
 from report.language import listed, named, phrase, say, speaking  # noqa: E402
 from upbead import outputs  # noqa: E402
@@ -46,7 +46,7 @@ def listed_words():
     yield from (word for pair in sheet.FORMULAS for word in pair)
     yield from (*gauges.HEAD, *waves.HEAD, *document.OF_SCRIPTS, *input_tables.TITLES.values(), *head.NAMES.values())
     yield from (*expected.LAWS, *expected.LAWS.values(), *calibration.MEASURES.values())
-    yield from (word for kind in (study, expected, calibration, wave_document) for word in (kind.KIND, kind.QUESTION))
+    yield from (word for kind in (study, expected, calibration, one_sheet, wave_document) for word in (kind.KIND, kind.QUESTION))
     yield from (key.replace("_", " ") for key, _ in loads.PULSE)
     yield from (outputs.label(f"response.{key}") for key, _, _ in response.ROWS)
     yield from (outputs.label(f"discretisation.{key}") for key in run.SIZES)
