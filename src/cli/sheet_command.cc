@@ -1,4 +1,5 @@
 // The command sheet: all that one file allows, in one table.
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <set>
@@ -167,9 +168,11 @@ int work(const CaseOptions& options) {
   check_interrupt();
   folder.commit({"results.h5", "reduced.h5"});
   for (const Done& done : parts) std::cerr << describe(done.part.warnings);
-  std::cout << (options.json ? text
-                             : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
-                                   (input.asked.run ? ", results.h5}\n" : "}\n"));
+  std::cout << (options.json
+                    ? text
+                    : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
+                          (input.asked.run ? ", results.h5" : "") +
+                          (std::filesystem::exists(folder.name() + "/reduced.h5") ? ", reduced.h5}\n" : "}\n"));
   return 0;
 }
 

@@ -8,6 +8,7 @@ usage: sheet_test.py PROGRAM CASES_FOLDER
 
 import json
 import shutil
+import subprocess
 
 from program import CASES, ProgramTest, main, upbead
 
@@ -37,6 +38,18 @@ class Sheet(ProgramTest):
         self.check_disagreements(sheet)
         self.check_screen(sheet, done.stdout)
         self.assertTrue((self.folder / "sheet/results.h5").exists())
+        self.check_document(sheet)
+
+    def check_document(self, sheet):
+        script = CASES.parent / "postprocess/report.py"
+        done = subprocess.run(["/usr/bin/python3", "-B", script, self.folder / "sheet"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "sheet/report.html").read_text()
+        for row in sheet["checks"]:
+            if row["holds"] is False:
+                self.assertIn(row["text"].split(":")[1].strip().split(" against")[0], page)
+        for missing in sheet["not_covered"]:
+            self.assertIn(missing.split(",")[0].replace("'", "&#x27;"), page)
 
     def check_governing(self, rows):
         for mode in {row["mode"] for row in rows}:
