@@ -38,7 +38,7 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 DesignOutput waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {{}, to_json(design, answers), describe(design, answers) + "\n", describe(warnings_of(design, answers))};
+  return {{}, json_text(to_json(design, answers)), describe(design, answers) + "\n", describe(warnings_of(design, answers))};
 }
 
 DesignOutput expected(const Design& design, const Stopwatch& since_start) {
@@ -48,7 +48,7 @@ DesignOutput expected(const Design& design, const Stopwatch& since_start) {
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
   return {{{"results.h5", results}},
-          to_json(design, answer, timing),
+          json_text(to_json(design, answer, timing)),
           describe(design, answer),
           note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }

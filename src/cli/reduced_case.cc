@@ -116,8 +116,7 @@ Nested nest(const Simulation& simulation, const Reduction& reduction) {
 }
 
 /// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
-Simulation simulation_for_waves(Case& input) {
-  const Simulation simulation = simulation_of(input, settle_end(input));
+Simulation simulation_for_waves(const Case& input, const Simulation& simulation) {
   if (!simulation.compiled()->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
@@ -139,8 +138,8 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
 
 Reduction reduce_bonded(const Simulation& simulation, bool all_readings) {
   Progress progress("reducing");
-  Reduction reduction =
-      reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
+  Reduction reduction = reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}},
+                                     watched(progress), simulation.room().get());
   require_converged(reduction);
   return reduction;
 }
@@ -148,7 +147,13 @@ Reduction reduce_bonded(const Simulation& simulation, bool all_readings) {
 }  // namespace
 
 Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder) {
-  const Simulation simulation = simulation_for_waves(input);
+  const Simulation simulation = simulation_of(input, settle_end(input));
+  return reduced_case(input, simulation, options, folder);
+}
+
+Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseModelOptions& options,
+                     const std::string& folder) {
+  const Simulation simulation = simulation_for_waves(input, of_case);
   const Stopwatch watch;
   Reduced made;
   made.reduction = reduce_bonded(simulation, options.all_readings);

@@ -37,7 +37,13 @@ struct CaseModelOptions {
 };
 
 /// Makes the model of the case, bonded, with progress on the terminal. `folder`: from where the model's own copy of the
-/// case sees its files. Throws InputError at the keys of a case that no reduced model can hold.
+/// case sees its files. Throws InputError at the keys of a case that no reduced model can hold, and NumericsError where
+/// the model does not converge.
 Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder);
+
+/// The same of a simulation of the case, whose System, converged soil and basis are used where they serve. The case's
+/// end must be settled.
+Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseModelOptions& options,
+                     const std::string& folder);
 
 }  // namespace upbead

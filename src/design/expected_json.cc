@@ -291,12 +291,12 @@ std::vector<OutputRow> rows_of_expected() {
   return expected_outputs().rows();
 }
 
-std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
+Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
   ToldExpected told{&design, &answer, &timing, {}, {}, checks_of(design, answer), warnings_of(design, answer), {}};
   if (!answer.total.empty()) told.expected = headline_of(answer.total);
   if (answer.monte_carlo) told.of_life = headline_of(*answer.monte_carlo, answer.formula_lives);
   if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);
-  return expected_outputs().text(told);
+  return expected_outputs().to_json(told);
 }
 
 }  // namespace upbead

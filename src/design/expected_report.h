@@ -122,7 +122,7 @@ struct ExpectedTiming {
 };
 
 /// Throws NumericsError where a number is not finite.
-std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
+Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.

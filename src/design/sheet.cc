@@ -80,11 +80,6 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   return list;
 }
 
-std::string number(const Check& check, double value, const std::string& unit) {
-  return check.unit.empty() && unit.empty() ? significant(value, 4)
-                                            : with_unit(value, unit.empty() ? check.unit : unit);
-}
-
 }  // namespace
 
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts) {
@@ -101,27 +96,6 @@ Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts) {
   sheet.verdict = verdict_of(checks, sheet.warnings);
   sheet.not_covered.assign(std::begin(not_covered), std::end(not_covered));
   return sheet;
-}
-
-Compared compared(const Check& check) {
-  Compared c;
-  const bool factor = check.at_least && check.unit.empty();
-  if (check.balance) {
-    c.demand = number(check, check.balance->acting, check.balance->unit);
-    c.capacity = number(check, check.balance->resisting, check.balance->unit);
-  } else if (!factor) {
-    c.demand = check.demand ? number(check, *check.demand, "") : "without bound";
-    c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
-  }
-  if (factor) {
-    c.factor = check.demand ? significant(*check.demand, 3) : "not found";
-    c.required = check.capacity ? significant(*check.capacity, 3) : "no limit";
-  } else if (check.capacity) {
-    c.factor = check.margin ? significant(*check.margin, 3) : "";
-    c.required = "1";
-  }
-  c.outcome = !check.holds ? "-" : *check.holds ? "holds" : "FAILS";
-  return c;
 }
 
 }  // namespace upbead

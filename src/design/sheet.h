@@ -45,12 +45,6 @@ struct Sheet {
 /// No check is left out: one whose way to fail is not known stands as a mode of its own.
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts);
 
-/// Demand and capacity of a check as they are compared, with the factor and that which is required.
-struct Compared {
-  std::string demand, capacity, factor, required, outcome;
-};
-Compared compared(const Check& check);
-
 /// The table in at most 100 columns, the disagreements, what is not covered, the verdict.
 std::string text_of(const Sheet& sheet);
 /// The same as Markdown.

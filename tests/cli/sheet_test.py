@@ -97,6 +97,29 @@ class Sheet(ProgramTest):
         self.assertEqual({key: one[key] for key in two if key != "warnings"},
                          {key: two[key] for key in two if key != "warnings"})
 
+    def test_a_case_passes_over_every_table_of_a_design(self):
+        shutil.copytree(CASES / "designer", self.folder / "own")
+        case = self.folder / "own/section.toml"
+        given = case.read_text()
+        for command in ("waves", "reliability"):
+            keys = json.loads(upbead(command, "--schema").stdout)["properties"]
+            own = [name for name, key in keys.items() if key.get("type") == "object" and f"[{name}" not in given]
+            self.assertIn("scatter", own)
+            case.write_text(given + "".join(f"\n[{name}]\n" for name in own))
+            done = upbead("explain", case, *BONDED, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_where_the_scene_cannot_be_reduced_the_life_is_by_formulas(self):
+        march = ["--set", 'time.scheme="generalised_alpha"', "--set", "time.step=0.05", "--set", "accuracy.tolerance=1e-12"]
+        sheet, done = self.summary("sheet", *BONDED, *march)
+        warning = next(one for one in sheet["warnings"] if one["name"] == "no_own_dynamics")
+        self.assertIn("has not converged", warning["text"])
+        self.assertIsNone(sheet["expected"]["expected"].get("dynamic"))
+        self.assertIsNotNone(sheet["run"]["response"]["peak_shear"])
+        self.assertEqual({row["part"] for row in sheet["checks"]}, {"waves", "run", "expected"})
+        self.assertFalse((self.folder / "sheet/reduced.h5").exists())
+        self.assertNotIn("reduced.h5", done.stdout)
+
     def test_mistakes_of_all_tables_are_told_at_once(self):
         shutil.copytree(CASES / "designer", self.folder / "own")
         case = self.folder / "own/section.toml"
