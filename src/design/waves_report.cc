@@ -32,7 +32,9 @@ void set_sliding(const DesignTables& design, double standing_force, WaveAnswer& 
   a.sliding.paper = sliding_distance_paper(mass, resistance, a.pulse);
   a.sliding.paper_parts = sliding_distance_paper_parts(mass, resistance, a.pulse);
   a.sliding.exact = sliding_distance_exact(mass, resistance, a.pulse);
-  const CombinedWave combined{a.wave.period, standing_force, {a.force, a.pulse.duration}, a.uplift};
+  // a given force is the peak of P, which its standing part does not exceed
+  const double standing = a.measured ? std::min(standing_force, a.force) : standing_force;
+  const CombinedWave combined{a.wave.period, standing, {a.force, a.pulse.duration}, a.uplift};
   a.sliding.combined =
       sliding_distance_combined(mass + added_mass(design.water.density, s.foundation_depth, design.combined),
                                 resistance, s.friction, combined, design.combined);
