@@ -115,8 +115,7 @@ Section at_water_level(const Section& section, const Water& water, double rise) 
   s.submerged_weight -= buoyancy;
   // buoyancy of upright walls acts at B/2, not at t
   if (s.centroid && s.submerged_weight != 0.)
-    s.centroid =
-        (section.submerged_weight * *section.centroid - buoyancy * 0.5 * section.width) / s.submerged_weight;
+    s.centroid = (section.submerged_weight * *section.centroid - buoyancy * 0.5 * section.width) / s.submerged_weight;
   return s;
 }
 
