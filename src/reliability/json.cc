@@ -26,7 +26,7 @@ OutputSchema<MethodAnswer> method_outputs() {
       .key("index", &M::index, "", "beta of that probability")
       .key("variation", &M::variation, "", "coefficient of variation of a sampled probability; null for form and sorm")
       .key("evaluations", &M::evaluations, "", "of the limit state")
-      .reason("why_not", &M::why_not, "why there is no probability");
+      .reason("why_not", &M::why_not, "why there is no probability, or what bounded it");
 }
 
 OutputSchema<DesignValue> value_outputs() {
@@ -47,7 +47,7 @@ OutputSchema<ModeAnswer> mode_outputs() {
   return OutputSchema<M>()
       .key("meaning", &M::meaning, "", "when it fails")
       .key("is_system", &M::is_system, "", "whether it is a gate of the fault tree")
-      .reason("why_not", &M::why_not, "why there is no probability, or what bounded it")
+      .reason("why_not", &M::why_not, "why there is no probability")
       .key("governing", &M::governing, "", "method with the least index; empty where none has one")
       .object("occasion", &M::occasion, chance, "one occasion")
       .object("year", &M::year, chance, "any of the occasions of a year")
