@@ -206,6 +206,19 @@ TableSchema<Limits> limits_schema() {
            "least factor of safety of slip circles through mound and ground under the caisson, by Bishop's simplified "
            "method, that is allowed; 1.0 in waves in Japanese practice. Only a run checks it")
       .range(above(0.));
+  table
+      .key(
+          "peak_safety", &Limits::peak_safety, "",
+          "least factor by which the strength may fall at the peak of the wave, under what the base presses then, that "
+          "is allowed. Has the factor computed, which takes about as long as the one at rest; only a run does")
+      .range(above(0.));
+  table
+      .key(
+          "liquefaction", &Limits::liquefaction, "",
+          "least factor against momentary liquefaction of the ground beside the caisson that is allowed: effective "
+          "stress at rest over the excess of the pore pressure over that on the surface above. Has it computed; only a "
+          "run does")
+      .range(above(0.));
   declare_factors(table);
   return table;
 }

@@ -17,6 +17,7 @@ constexpr ModeOfName modes[] = {
     {"strength", "strength of the ground"},
     {"slip circle", "bearing and slip circles"},
     {"slip on a plane", "bearing and slip circles"},
+    {"momentary liquefaction", "momentary liquefaction of the ground"},
     {"sliding by formulas", "sliding landward"},
     {"force against friction", "sliding landward"},
     {"sliding seaward", "sliding seaward"},

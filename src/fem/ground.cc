@@ -7,6 +7,7 @@
 #include "fem/assembly.h"
 #include "fem/caisson/caisson.h"
 #include "fem/faces.h"
+#include "fem/loaded_ground.h"
 #include "fem/surcharge.h"
 
 namespace upbead {
@@ -83,8 +84,7 @@ Vector Ground::normal_forces(const Vector& weights) const {
 
 WeightInWater Ground::caisson_in_water(double level) const {
   const Vector f = weights(level, true);
-  std::size_t b = 0;
-  while (bodies_.at(b).region != caisson_name) ++b;
+  const std::size_t b = body_of_caisson();
   // a unit rotation moves a point upwards by -(x - x_G)
   const double weight = -f[unknowns_.coordinate(b, motion_y)];
   return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
@@ -119,13 +119,36 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
   return f;
 }
 
+std::size_t Ground::body_of_caisson() const {
+  std::size_t b = 0;
+  while (bodies_.at(b).region != caisson_name) ++b;
+  return b;
+}
+
+Vector Ground::forces_on_caisson(const BaseForces& base) const {
+  const std::size_t b = body_of_caisson();
+  const Tensor<1, dim> arm = base.middle - bodies_[b].centre;
+  Vector f = Vector::Zero(unknowns_.size());
+  f[unknowns_.coordinate(b, motion_x)] = base.shear;
+  f[unknowns_.coordinate(b, motion_y)] = -base.normal;
+  f[unknowns_.coordinate(b, motion_rotation)] = base.moment + base.shear * arm[1] + base.normal * arm[0];
+  return f;
+}
+
+std::pair<Tensor<1, dim>, double> Ground::motion_of_caisson(const Vector& x, const Point<dim>& at) const {
+  const std::size_t b = body_of_caisson();
+  Tensor<1, dim> moved;
+  for (int motion = 0; motion < n_motions; ++motion)
+    moved += x[unknowns_.coordinate(b, motion)] * unit_motion(motion, at, bodies_[b].centre);
+  return {moved, x[unknowns_.coordinate(b, motion_rotation)]};
+}
+
 void Ground::add_still_water(Vector& f) const {
   const std::optional<Caisson> caisson = find_caisson(space_);
   if (!caisson) return;
   const StillWater still = still_water(scene_, *caisson);
   if (still.push == 0. && still.weight == 0.) return;
-  std::size_t b = 0;
-  while (bodies_.at(b).region != caisson_name) ++b;
+  const std::size_t b = body_of_caisson();
   const auto add = [&](Motion motion, double work) { f[unknowns_.coordinate(b, motion)] += work; };
   // a unit rotation about x_G, overturning landward, moves a point by (y - y_G, -(x - x_G))
   const double below = caisson->bottom_centre[1] - bodies_[b].centre[1];

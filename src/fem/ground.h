@@ -3,12 +3,15 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <utility>
 #include <vector>
 
 #include "fem/static_stage.h"
 #include "fem/unknowns.h"
 
 namespace upbead {
+
+struct BaseForces;
 
 /// The scene at rest: no pressures, no waves, no absorbing sides.
 Scene at_rest(Scene scene);
@@ -32,11 +35,16 @@ class Ground {
   /// Work of the weights in unit motions of the unknowns: of all weights, or of the caisson's alone. Still water
   /// stands at `level`.
   Vector weights(double level, bool of_caisson_alone = false) const;
+  /// Work of forces on a rigid caisson's base in unit motions of the unknowns.
+  Vector forces_on_caisson(const BaseForces& base) const;
+  /// The motion of a rigid caisson at a point, and its rotation, overturning landward positive.
+  std::pair<dealii::Tensor<1, dim>, double> motion_of_caisson(const Vector& x, const dealii::Point<dim>& at) const;
 
  private:
   double work_of(const dealii::FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const;
   /// Adds what still water at two levels does to a rigid caisson.
   void add_still_water(Vector& f) const;
+  std::size_t body_of_caisson() const;
   double density(const Cell& cell) const;
   EffectiveStress stress(const Vector& values) const;
 

@@ -1,130 +1,18 @@
 #include "fem/rest_state.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
-#include <cmath>
-#include <functional>
-#include <utility>
 
-#include "algebra/factorisation.h"
-#include "base/text.h"
 #include "fem/factor_search.h"
-#include "fem/ground.h"
-#include "fem/limit_state.h"
+#include "fem/failing_ground.h"
 #include "model/soil_law_row.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr double rad = boost::math::constants::degree<double>();
-
-/// c/F, tan phi/F, tan psi/F.
-MohrCoulombStrength reduced(const Strength& s, double F, bool associated) {
-  const auto angle = [F](double degrees) { return std::atan(std::tan(degrees * rad) / F) / rad; };
-  return {angle(s.friction_angle), s.cohesion / F, angle(associated ? s.friction_angle : s.dilatancy_angle),
-          s.tension / F};
-}
-
-using Fails = std::function<bool(const Region&)>;
-
 bool starts_balanced(const Region& region) {
   return starts_from(RestStress::balanced, region);
 }
-bool has_some_strength(const Region& region) {
-  return region.strength.has_value();
-}
-
-/// Ground at rest whose regions may fail.
-class FailingGround {
- public:
-  FailingGround(const Scene& scene, const Mesh& mesh, const SoilState& state, Fails fails, RestProgress progress)
-      : scene_(at_rest(scene)),
-        ground_(scene_, mesh, state),
-        fails_(std::move(fails)),
-        weights_(ground_.weights(water_level(scene, mesh))),
-        soil_(ground_.space(), ground_.unknowns()),
-        x_(Vector::Zero(ground_.unknowns().size())),
-        progress_(std::move(progress)) {
-    start_from_elastic();
-  }
-
-  /// Applies all weights in steps: the elastic stress is returned to the strength, and the weights that it then does
-  /// not bear are applied. Steps from zero stress would be no easier without cohesion: stresses would only scale.
-  /// `patient`: a step that fails is cut.
-  StaticReport bear_weights(bool associated, bool patient) {
-    soil_.start_from(elastic_);
-    x_.setZero();
-    soil_.follow(laws(1., associated));
-    Vector first;
-    soil_.exert(x_, first);
-    soil_.commit(x_);
-    double share = 0.;
-    StaticPath path;
-    path.load = [&, first](double next) -> Vector { return share = next, first + next * (weights_ - first); };
-    path.each = [&] { tell(share); };
-    StaticSteps steps;
-    if (!patient) steps.least = steps.to;
-    return march_static(soil_, path, steps, x_);
-  }
-
-  /// Whether any stress bears the weights within the strength over F.
-  LimitAnswer bear_at_limit(double F, double done) {
-    soil_.start_from(elastic_);
-    soil_.follow(laws(F, true));
-    return seek_rest(soil_, weights_, [&] { tell(done); });
-  }
-
-  std::string name_of(unsigned index) const {
-    for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
-      if (cell->active_cell_index() == index)
-        return "region '" + ground_.space().mesh().surface_of(cell) + "' at (" + significant(cell->center()[0], 3) +
-               ", " + significant(cell->center()[1], 3) + ") m";
-    return {};
-  }
-
-  StaticSoil& soil() { return soil_; }
-
- private:
-  std::size_t n_cells() const { return ground_.space().mesh().triangulation.n_active_cells(); }
-
-  void tell(double done) const {
-    if (progress_) progress_(done);
-  }
-
-  void start_from_elastic() {
-    soil_.follow(StaticLaws(n_cells()));
-    soil_.start_from(PointStresses(n_cells()));
-    Vector force;
-    soil_.exert(x_, force);
-    SparseMatrix K = soil_.pattern();
-    soil_.tangent(Eigen::Map<Vector>(K.valuePtr(), K.nonZeros()));
-    soil_.commit(Factorisation(K).solve(weights_));
-    elastic_ = soil_.stresses();
-    if (const auto k0 = k0_of(scene_))
-      for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
-        if (fails_(ground_.space().region(cell)))
-          for (PlaneStress& s : elastic_[cell->active_cell_index()]) s = {*k0 * s.yy, s.yy, s.xy, *k0 * s.yy};
-  }
-
-  StaticLaws laws(double F, bool associated) const {
-    StaticLaws found(n_cells());
-    for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
-      if (ground_.space().has_matrices(cell) && fails_(ground_.space().region(cell)))
-        found[cell->active_cell_index()] = std::make_shared<const MohrCoulombLaw>(
-            ground_.space().material(cell), reduced(*ground_.space().region(cell).strength, F, associated));
-    return found;
-  }
-
-  Scene scene_;
-  Ground ground_;
-  Fails fails_;
-  Vector weights_;
-  StaticSoil soil_;
-  Vector x_;
-  PointStresses elastic_;
-  RestProgress progress_;
-};
 
 }  // namespace
 
@@ -136,14 +24,14 @@ bool needs_rest_state(const Scene& scene) {
 RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil, const RestProgress& progress) {
   FailingGround ground(scene, mesh, soil, starts_balanced, progress);
   RestState rest;
-  rest.report = ground.bear_weights(false, false);
+  rest.report = ground.bear_loads(false, false);
   if (!rest.report.complete) {
     const LimitAnswer limit = ground.bear_at_limit(1., rest.report.reached);
     rest.none = limit.found == RestFound::none;
     if (limit.found != RestFound::rest) rest.gives_way = ground.name_of(limit.shears_most);
     if (rest.none) return rest;
-    rest.report = ground.bear_weights(false, true);
-    if (!rest.report.complete) rest.report = ground.bear_weights(true, true);
+    rest.report = ground.bear_loads(false, true);
+    if (!rest.report.complete) rest.report = ground.bear_loads(true, true);
     if (!rest.report.complete && limit.found == RestFound::rest) {
       ground.soil().start_from(limit.stresses);
       rest.report = {1., 1., true, limit.moved, 1, 0, limit.iterations, limit.residual};

@@ -81,6 +81,23 @@ std::vector<Dataset> coupled_tables(const std::optional<SlidingSummary>& sliding
           {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
 }
 
+/// The circle that governs: its factor over time, and its slices.
+std::vector<Dataset> circle_tables(const std::optional<SlipCircles>& circles) {
+  if (!circles || !circles->governs) return {};
+  const auto& [x, width, base, surface, weight, pressure] = circles->slices;
+  Dataset factor{"circle/factor", "1", "F of the circle that governs, held; no number where nothing drives it",
+                 circles->course.factor};
+  factor.may_lack = true;
+  return {{"circle/time", "s", "time", circles->course.time},
+          std::move(factor),
+          {"circle/x", "m", "middles of its slices", x},
+          {"circle/width", "m", "their widths", width},
+          {"circle/base", "m", "y of their bases", base},
+          {"circle/surface", "m", "y of the surface above", surface},
+          {"circle/weight", "Pa", "w + q of each slice, over its width", weight},
+          {"circle/pressure", "Pa", "excess pore pressure at its base, at the moment that governs", pressure}};
+}
+
 constexpr std::size_t most_rows = 20'000;
 
 /// What decides on the rows: stresses at nodes, which are singular at the edges of the base, do not.
@@ -171,8 +188,8 @@ std::vector<Dataset> tables(const Run& run) {
   add("history/", rows.series, told(rows, whole_tolerance(*run.simulation)));
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
-  for (auto part :
-       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding)})
+  for (auto part : {base_tables(*run.simulation, rows.series), node_tables(run.contact),
+                    coupled_tables(run.summary.sliding), circle_tables(run.summary.circles)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

@@ -71,13 +71,25 @@ PressureMap::PressureMap(const Solution& solution, const PointGrid& grid) : grid
   time_ = series.time;
   velocities_ = series.reading;
   basis_ = &model.basis;
+  unknowns_ = simulation.unknowns().get();
 }
 
-std::function<double(double, double)> PressureMap::at(double time) const {
+Vector PressureMap::velocities_at(double time) const {
   const auto after = std::lower_bound(time_.begin(), time_.end(), time);
   auto column = static_cast<Eigen::Index>(after - time_.begin());
   if (after == time_.end() || (column > 0 && time - *std::prev(after) < *after - time)) --column;
-  const Eigen::VectorXd pressure = rows_ * phi_velocities(*basis_, velocities_.col(column));
+  return phi_velocities(*basis_, velocities_.col(column));
+}
+
+Vector PressureMap::at_nodes(double time) const {
+  const Vector phi = velocities_at(time);
+  Vector v = Vector::Zero(unknowns_->size());
+  for (std::size_t i = 0; i < basis_->unknown.size(); ++i) v[basis_->unknown[i]] = phi[static_cast<Eigen::Index>(i)];
+  return unknowns_->expand(v);
+}
+
+std::function<double(double, double)> PressureMap::at(double time) const {
+  const Eigen::VectorXd pressure = rows_ * velocities_at(time);
   std::vector<double> values(row_.size(), NAN);
   for (std::size_t i = 0; i < row_.size(); ++i)
     if (row_[i] >= 0) values[i] = pressure[row_[i]];

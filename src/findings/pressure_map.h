@@ -27,14 +27,19 @@ class PressureMap {
   /// Excess pressure (Pa) at (x, y) at the computed time next to `time`, linear between the points of the grid that are
   /// in pore water; 0 where none is near.
   std::function<double(double x, double y)> at(double time) const;
+  /// The same at all degrees of freedom of the simulation's space; 0 where these are none of phi.
+  Vector at_nodes(double time) const;
 
  private:
+  Vector velocities_at(double time) const;
+
   PointGrid grid_;
   std::vector<int> row_;  ///< of each point in `rows_`, x fastest; -1: not in pore water
   SparseMatrix rows_;     ///< maps phi' to the pressures of these points
   std::vector<double> time_;
   Eigen::MatrixXd velocities_;  ///< of the coordinates of phi, by coordinate and time
   const FieldBasis* basis_ = nullptr;
+  const Unknowns* unknowns_ = nullptr;
 };
 
 }  // namespace upbead

@@ -10,6 +10,8 @@
 namespace upbead {
 
 Watched::Watched(const Simulation& simulation) {
+  if (simulation.scene().limits.liquefaction && !simulation.processes())
+    upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
   if (simulation.processes())
     why_no_pressure = why_no_strength = "several processes share the work";
@@ -30,6 +32,7 @@ std::vector<MarchObserver*> Watched::observers() {
   std::vector<MarchObserver*> list;
   if (pressure) list.push_back(&*pressure);
   if (strength) list.push_back(&*strength);
+  if (upward) list.push_back(&*upward);
   return list;
 }
 
@@ -38,6 +41,7 @@ void Watched::look(const Solution& solution) {
   const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.compiled()->system); };
   const auto duration = [&] { return step_of_loads(simulation.scene(), 4).duration; };
   if (solution.pressures && pressure) pressure->see(*solution.pressures, loads(), duration());
+  if (solution.pressures && upward) upward->see(*solution.pressures, loads());
   if (solution.states && strength) strength->see(*solution.states, loads(), duration());
 }
 

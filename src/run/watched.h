@@ -1,4 +1,5 @@
-// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil.
+// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil,
+// excess pressure below the surface of the ground.
 #pragma once
 
 #include <optional>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "response/monitors.h"
+#include "response/upward_pressure.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
@@ -22,6 +24,7 @@ class Watched {
 
   std::optional<LeastPressure> pressure;
   std::optional<Mobilisation> strength;
+  std::optional<UpwardPressure> upward;          ///< where [limits] liquefaction asks for it
   std::string why_no_pressure, why_no_strength;  ///< "" where there is one
 };
 

@@ -113,6 +113,9 @@ Summary full_summary() {
   s.checks.back().balance.emplace();
   s.circles.emplace().block.emplace();
   s.circles->at_rest = s.circles->still = s.circles->computed = s.circles->governs = SlipCircleFound();
+  s.circles->static_design = SlipCircleFound();
+  s.peak_safety.emplace();
+  s.liquefaction.emplace().places = {{}};
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();
   s.soil.emplace();

@@ -81,6 +81,8 @@ struct Limits {
   std::optional<double> overturning;             ///< least margin against it
   std::optional<double> safety;                  ///< least factor of strength at rest; 1 where none is given
   std::optional<double> circles;                 ///< least factor of slip circles under the caisson
+  std::optional<double> peak_safety;             ///< least factor of strength at the peak of the wave; asks for it
+  std::optional<double> liquefaction;            ///< least factor against momentary liquefaction; asks for it
   std::optional<double> sliding_factor;          ///< least factor against sliding landward by formulas; else 1
   std::optional<double> seaward_sliding_factor;  ///< likewise seaward; else as sliding_factor
   std::optional<double> settlement;              ///< of the caisson, left in the end, downward (m)

@@ -238,9 +238,60 @@ struct SafetySummary {
   std::string why_open;                ///< why the bounds are no closer; "" where they are as close as asked for
 };
 
+/// Bounds of the factor by which the strength of all soils may fall while the base presses as at a moment of the wave.
+struct PeakSafety {
+  std::optional<double> lower, upper;          ///< the ground bears it at `lower`, it does not at `upper`
+  double time = 0.;                            ///< s
+  std::string pressure;                        ///< in the pores: still, computed
+  double force = 0., shear = 0., moment = 0.;  ///< N', F_T (N/m) and M' (N m/m) of the base
+  std::string fails_at;                        ///< where it gives way at `upper`
+  std::string moves;  ///< how the base moves as it fails: landward, seaward, and whether it turns or sinks; or ""
+  std::array<double, 2> centre{0., 0.};  ///< about which the base turns then (m)
+  std::optional<double> depth;           ///< below the base, above which 95 % of that work of shearing is done (m)
+  std::optional<double> circle;          ///< F of the least circle then, with the same pressure
+  std::optional<double> block;           ///< likewise of the least block
+  int moments = 0;                       ///< that were looked at
+  std::string why_open;                  ///< why the bounds are no closer; "" where they are as close as asked for
+};
+
+/// Where the flow upward out of the ground comes nearest to lifting it, in one region on one side of the caisson.
+struct LiquefiedPlace {
+  std::string region;                 ///< its name
+  std::string side;                   ///< of the caisson: sea, harbour; "" without a caisson
+  std::optional<double> factor;       ///< effective stress at rest over excess pressure; none: nothing presses upward
+  double pressure = 0., stress = 0.;  ///< excess pressure over that on the surface above; s'_v at rest (Pa)
+  std::array<double, 2> at{0., 0.};   ///< m
+  double below = 0.;                  ///< depth of that place under the surface (m)
+  double time = 0.;                   ///< s
+  double depth = 0.;                  ///< below the surface, down to which no stress is left at some time (m)
+  std::optional<double> depth_x;      ///< where that is (m); none: nowhere
+  std::optional<double> depth_time;   ///< and when (s)
+  double cell = 0.;                   ///< height of the cell under the surface there (m)
+};
+
+/// Momentary liquefaction of the ground beside the caisson.
+struct Liquefaction {
+  std::vector<LiquefiedPlace> places;  ///< by region and side
+  std::optional<double> factor;        ///< the least of them
+};
+
+/// The factor of one circle over time; NaN where nothing drives it, or it cuts the loaded width.
+struct SlipCircleCourse {
+  std::vector<double> time, factor;  ///< s, 1
+};
+
+/// The slices of a circle, from left to right.
+struct SlipCircleSlices {
+  std::vector<double> x, width;       ///< middle, width (m)
+  std::vector<double> base, surface;  ///< y (m)
+  std::vector<double> weight;         ///< w + q (Pa)
+  std::vector<double> pressure;       ///< excess pore pressure at the base (Pa)
+};
+
 /// The least safe slip circle through the ground under the caisson, and what pressed on the ground then.
 struct SlipCircleFound {
   double factor = 0.;                          ///< F by Bishop's simplified method
+  double driving = 0.;                         ///< moment that drives over the radius (N/m)
   std::optional<double> time;                  ///< s; none: at rest
   std::string slips;                           ///< landward or seaward
   std::array<double, 2> centre{0., 0.};        ///< m
@@ -262,7 +313,12 @@ struct SlipCircles {
   std::optional<SlipCircleFound> governs;  ///< the least of them
   std::string by;                          ///< which that is: at_rest, still, computed
   std::optional<SlipBlockFound> block;     ///< of the moment and pressure that govern; none where no block has a factor
-  std::optional<double> leaves_time;       ///< when the resultant leaves the base, so that no strip bears it (s)
+  std::optional<SlipCircleFound>
+      static_design;                          ///< the least under the loads without motion, in still water's pressure
+  std::optional<double> dynamic_load_factor;  ///< what drives the governing circle in motion, over that without
+  SlipCircleCourse course;                    ///< of the circle that governs, with the pressure that governs
+  SlipCircleSlices slices;                    ///< of it
+  std::optional<double> leaves_time;          ///< when the resultant leaves the base, so that no strip bears it (s)
   std::string uncut;        ///< regions without a strength, which no circle cuts; "" where there are none
   double share_steep = 0.;  ///< of the circles tried: left out, as the method does not hold for them
 };
@@ -379,6 +435,10 @@ struct Summary {
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
   std::optional<SlipCircles> circles;          ///< none where no region has a strength, or no base presses on it
   std::string why_no_circles;                  ///< why not; "" where they are there
+  std::optional<PeakSafety> peak_safety;       ///< where it is asked for
+  std::string why_no_peak_safety;              ///< why it was not found; "" where it was, or was not asked for
+  std::optional<Liquefaction> liquefaction;    ///< where it is asked for
+  std::string why_no_liquefaction;             ///< why it was not found; "" where it was, or was not asked for
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
   std::optional<Verdict> verdict;              ///< drawn from checks and warnings
   Checks checks;                               ///< of the section, in the order of a sheet
