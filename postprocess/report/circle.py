@@ -9,7 +9,7 @@ from report.drawing import areas
 from report.language import phrase, say
 from report.markup import Markup, join, tag
 from report.plot import Line, Panel, Plot
-from report.units import quantity
+from report.units import plain, pretty, quantity, scale
 
 AIR = 0.12  # of the circle's width, beside the drawing
 TALL = 0.3  # of the drawing's height: the longest bar of pressure, and the load of the base
@@ -18,11 +18,18 @@ WIDTHS = ((860, "wide"), (380, "narrow"))
 
 def section(result, outline):
     """`outline`: the Section of the drawing, or None; empty where nothing was looked for."""
+    peak = numbers.alone(result.summary.get("peak_safety"), ("peak_safety",), "run")
+    lifted = (result.summary.get("liquefaction") or {}).get("places") or []
+    places = {" ".join(filter(None, (place["region"], side(place["side"])))): place for place in lifted}
     parts = [governing(result, outline)]
-    for key, title in (("peak_safety", "Strength at the peak of the wave"), ("liquefaction", "Momentary liquefaction")):
-        told = numbers.alone(result.summary.get(key), (key,), "run")
-        parts += [tag("h3", say(title)), told] if told else []
+    parts += [tag("h3", say("Strength at the peak of the wave")), peak] if peak else []
+    parts += [tag("h3", say("Momentary liquefaction")), numbers.beside(places, ("liquefaction", "places"), "run", ("region", "side"))] if places else []
     return tag("section", tag("h2", say("Ground under the wave")), *parts, id="circle-section") if any(parts) else Markup("")
+
+
+def side(name):
+    """Of the caisson; empty without one."""
+    return {"sea": say("sea side"), "harbour": say("harbour side")}.get(name, "")
 
 
 def governing(result, outline):
@@ -36,7 +43,7 @@ def governing(result, outline):
         parts.append(figure.of_drawing("circle", drawn, caption(circle, found["by"], most_pressure(result))))
     over_time = course(result)
     if over_time is not None:
-        text = say("Factor of this circle, held, over time; no line where nothing drives it or the loaded width moves off it.")
+        text = say("Least factor over time of the circles found at rest and in motion, each held.")
         parts.append(figure.of_plot(over_time, text))
     return join(parts)
 
@@ -130,12 +137,17 @@ def base_load(canvas, outline, circle):
         px = left + (i + 0.5) * (right - left) / 5
         canvas.arrow((px, high), (px, low))
     middle = (circle["strip_from"] + circle["strip_to"]) / 2
-    canvas.text(middle, bottom, f"N′ {quantity(circle['force'], 'N/m')}", dy=-32)
+    canvas.text(middle, bottom, f"N′ {force(circle['force'])}", dy=-32)
     if circle["shear"]:
         px, py = canvas.at(middle, bottom)
         way = 1 if circle["shear"] > 0 else -1
         canvas.arrow((px - 34 * way, py + 12), (px + 34 * way, py + 12))
-        canvas.text(middle, bottom, f"F_T {quantity(abs(circle['shear']), 'N/m')}", dy=30)
+        canvas.text(middle, bottom, "F", tag("tspan", "T", dy=3, class_="sub"), tag("tspan", f" {force(abs(circle['shear']))}", dy=-3), dy=30)
+
+
+def force(value):
+    factor, unit = scale("N/m", value, 10.0)
+    return f"{plain(value * factor)} {pretty(unit)}"
 
 
 def course(result):

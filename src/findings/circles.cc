@@ -89,20 +89,14 @@ void look_in_motion(const Evidence& e, const CircleGround& ground, const std::op
     circles.why_not_computed = "the scene was marched, which keeps no pressures of all times";
 }
 
-/// The least circle under the loads without motion, and what drives the circle that governs in motion, over what drives
-/// the same circle without.
+/// The least circle under the loads without motion, and by how much more motion needs of the same strength.
 void look_without_motion(const Evidence& e, const CircleGround& ground, SlipCircles& circles) {
   const std::vector<double>& time = e.of(find_history).time;
   const EffectiveBase base = without_motion(e.simulation, *e.of(find_effective_base), time);
   const std::vector<BaseMoment> moments = moments_to_look_at(base, static_shear(e, time), time);
   circles.static_design = least_of_moments(ground, moments, [](double) { return PressureAt(); }).least;
-  if (!circles.governs || !circles.governs->time) return;
-  double most = 0.;
-  for (const BaseMoment& moment : moments) {
-    const FigureSafety there = safety_at(ground, *circles.governs, moment, {});
-    if (there.why == NoFactor::none) most = std::max(most, there.driving);
-  }
-  if (most > 0.) circles.dynamic_load_factor = circles.governs->driving / most;
+  if (circles.static_design && circles.still)
+    circles.dynamic_load_factor = circles.static_design->factor / circles.still->factor;
 }
 
 /// Slices enough for a picture, and for a factor to 1e-3.
@@ -110,8 +104,9 @@ constexpr int slices_drawn = 60;
 /// Rows of the course of a factor, at most about.
 constexpr std::size_t rows_of_course = 1000;
 
-void follow_circle(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
-                   SlipCircles& circles) {
+/// The least factor over time of the circles that were found, each held: that at rest has the whole base upon it.
+void follow_circles(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
+                    SlipCircles& circles) {
   const SlipCircleFound& circle = *circles.governs;
   const bool by_computed = circles.by == "computed";
   const auto pressure_at = [&](double when) { return by_computed ? map->at(when) : PressureAt(); };
@@ -121,10 +116,13 @@ void follow_circle(const Evidence& e, const CircleGround& ground, const std::opt
   const std::size_t stride = 1 + time.size() / rows_of_course;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (i % stride != 0 && !(circle.time && time[i] == *circle.time)) continue;
-    const FigureSafety there =
-        safety_at(ground, circle, {time[i], base.force[i], shear[i], base.moment[i]}, pressure_at(time[i]));
+    const BaseMoment moment{time[i], base.force[i], shear[i], base.moment[i]};
+    const PressureAt pressure = pressure_at(time[i]);
+    double least = HUGE_VAL;
+    for (const auto* held : {&circles.at_rest, &circles.still, &circles.computed})
+      if (*held) least = std::min(least, safety_at(ground, **held, moment, pressure).factor);
     circles.course.time.push_back(time[i]);
-    circles.course.factor.push_back(std::isfinite(there.factor) ? there.factor : NAN);
+    circles.course.factor.push_back(std::isfinite(least) ? least : NAN);
   }
 }
 
@@ -155,7 +153,7 @@ CirclesFound look_for_circles(const Evidence& e) {
   look_without_motion(e, ground, circles);
   if (circles.governs) {
     set_block(ground, map, circles);
-    follow_circle(e, ground, map, circles);
+    follow_circles(e, ground, map, circles);
   }
   found.circles = circles;
   return found;
@@ -256,8 +254,8 @@ OutputSchema<SlipCircles> circles_outputs() {
               "in the pressure of still water, under the loads as they act without motion: what a design without "
               "dynamics looks at; null where no circle has a factor")
       .key("dynamic_load_factor", &C::dynamic_load_factor, "",
-           "what drives the circle of `by` in motion, over the largest that drives the same circle under the loads "
-           "without motion; null at rest, and where nothing drives it then")
+           "`static_design.factor` over `still.factor`: how much more of the same strength the loads need by their "
+           "motion (below 1: less); null where either is")
       .key("leaves_time", &C::leaves_time, "s",
            "when the resultant leaves the base, so that no effective width bears it; null where it stays")
       .reason("uncut", &C::uncut, "regions without a strength, which no circle cuts; null where there are none")

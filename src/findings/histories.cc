@@ -81,11 +81,12 @@ std::vector<Dataset> coupled_tables(const std::optional<SlidingSummary>& sliding
           {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
 }
 
-/// The circle that governs: its factor over time, and its slices.
+/// The factor of circles over time, and the slices of the one that governs.
 std::vector<Dataset> circle_tables(const std::optional<SlipCircles>& circles) {
   if (!circles || !circles->governs) return {};
   const auto& [x, width, base, surface, weight, pressure] = circles->slices;
-  Dataset factor{"circle/factor", "1", "F of the circle that governs, held; no number where nothing drives it",
+  Dataset factor{"circle/factor", "1",
+                 "least F of the circles found at rest and in motion, each held; no number where nothing drives one",
                  circles->course.factor};
   factor.may_lack = true;
   return {{"circle/time", "s", "time", circles->course.time},

@@ -68,9 +68,11 @@ LoadedSafety factor_of(const std::vector<LoadedMoment>& moments, double size = 1
   return safety_factor_under(moments, clay_under_a_caisson(), *strip_mesh(size), {}, guess);
 }
 
+/// Where the base lifts, some searches near the factor end before they show anything: the bracket then is wider, and
+/// says why.
 double middle_of(const LoadedSafety& F) {
-  EXPECT_TRUE(F.lower && F.upper && *F.upper - *F.lower <= 0.01 * *F.lower) << F.why;
-  EXPECT_EQ(F.why, "");
+  EXPECT_TRUE(F.lower && F.upper);
+  EXPECT_LE(*F.upper - *F.lower, (F.why.empty() ? 0.0051 : 0.03) * *F.lower) << F.why;
   return F.lower && F.upper ? 0.5 * (*F.lower + *F.upper) : NAN;
 }
 

@@ -116,9 +116,9 @@ TEST(Circles, AreFollowedOverTime) {
   EXPECT_NEAR(factor[least], c.governs->factor, 2e-2 * c.governs->factor);
   const auto at = static_cast<std::size_t>(std::find(time.begin(), time.end(), *c.governs->time) - time.begin());
   ASSERT_LT(at, time.size());
-  EXPECT_NEAR(factor[at], c.governs->factor, 1e-9);
-  EXPECT_NEAR(factor.front(), c.at_rest->factor, 0.5 * c.at_rest->factor);
-  EXPECT_GT(factor.front(), c.governs->factor);
+  EXPECT_NEAR(factor[at], c.governs->factor, 1e-9);  // no other one is less safe then
+  EXPECT_NEAR(factor.front(), c.at_rest->factor, 1e-3 * c.at_rest->factor);
+  for (const double F : factor) EXPECT_FALSE(std::isnan(F));
 }
 
 /// Bishop's sum over the slices that are told, with the strengths of the regions at their bases.
@@ -147,19 +147,19 @@ TEST(Circles, OfASlowLoadAreThoseWithoutMotion) {
   ASSERT_TRUE(c.static_design && c.still && c.dynamic_load_factor);
   EXPECT_NEAR(c.static_design->factor, c.still->factor, 0.01 * c.still->factor);
   EXPECT_NEAR(*c.dynamic_load_factor, 1., 0.02);
-  const SlipCircles& fast = *summary_of(1e5).circles;
+  const SlipCircles& fast = *summary_of(1e6).circles;
   EXPECT_GT(std::abs(*fast.dynamic_load_factor - 1.), 0.05);
 }
 
 TEST(Circles, BearASurchargeWhereItLies) {
   Scene scene = strong_scene(1e5);
-  const auto factor = [&](const std::string& boundary, double from, double to) {
-    scene.initial->surcharge["armour"] = {boundary, 30e3, from, to};
+  const auto factor = [&](double from, double to) {
+    scene.initial->surcharge["armour"] = {"mound_surface", 30e3, from, to};
     return simulation_of(scene).run().summary.circles->at_rest->factor;
   };
   const double none = summary_of(1e5).circles->at_rest->factor;
-  EXPECT_GT(std::abs(factor("mound_surface", -25., -9.) / none - 1.), 1e-3);
-  EXPECT_NEAR(factor("top", -9., 9.), none, 1e-9) << "on the caisson";
+  EXPECT_GT(factor(-40., 40.), 1.01 * none) << "where the ground is pushed up on both sides";
+  EXPECT_NEAR(factor(9., 40.), none, 1e-3 * none) << "it still slips to the other";
 }
 
 TEST(Circles, AreLessSafeUnderALargerLoadAndAsSafeAtRest) {
