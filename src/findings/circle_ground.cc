@@ -175,6 +175,26 @@ FigureSafety safety_at(const CircleGround& ground, const SlipCircleFound& circle
                        circle.from, circle.to, n_slices);
 }
 
+FigureSafety widened_safety_at(const CircleGround& ground, SlipCircleFound circle, const BaseMoment& moment,
+                               const PressureAt& pressure) {
+  const auto loads = loads_of(ground, moment, pressure);
+  if (!loads) return {};
+  const double from = std::min(circle.from, loads->strip->from), to = std::max(circle.to, loads->strip->to);
+  const auto left = ground.section.surface(from), right = ground.section.surface(to);
+  if ((from < circle.from || to > circle.to) && left && right) {
+    const double x = 0.5 * (circle.from + circle.to), away = circle.centre[0] - x;
+    const double y = circle.centre[1] - std::sqrt(circle.radius * circle.radius - away * away);
+    // the centre is as far from both ends as from the middle (x, y) of the arc
+    const double a = 2. * (from - x), b = 2. * (*left - y), c = 2. * (to - x), d = 2. * (*right - y);
+    const double e = from * from - x * x + *left * *left - y * y, f = to * to - x * x + *right * *right - y * y;
+    circle.centre = {(e * d - b * f) / (a * d - b * c), (a * f - e * c) / (a * d - b * c)};
+    circle.radius = std::hypot(circle.centre[0] - x, circle.centre[1] - y);
+    circle.from = from;
+    circle.to = to;
+  }
+  return safety_at(ground, circle, moment, pressure);
+}
+
 SlipCircleSlices slices_at(const CircleGround& ground, const SlipCircleFound& circle, const PressureAt& pressure,
                            int n_slices) {
   SlipCircleSlices told;

@@ -71,6 +71,11 @@ std::optional<FoundBlock> least_block(const CircleGround& ground, const SlipCirc
 FigureSafety safety_at(const CircleGround& ground, const SlipCircleFound& circle, const BaseMoment& moment,
                        const PressureAt& pressure, int n_slices = 400);
 
+/// The same of the circle whose ends move outward as far as the loaded width of that moment needs, through the same
+/// middle of its arc.
+FigureSafety widened_safety_at(const CircleGround& ground, SlipCircleFound circle, const BaseMoment& moment,
+                               const PressureAt& pressure);
+
 /// Its slices at the moment that it was found for.
 SlipCircleSlices slices_at(const CircleGround& ground, const SlipCircleFound& circle, const PressureAt& pressure,
                            int n_slices);

@@ -104,7 +104,8 @@ constexpr int slices_drawn = 60;
 /// Rows of the course of a factor, at most about.
 constexpr std::size_t rows_of_course = 1000;
 
-/// The least factor over time of the circles that were found, each held: that at rest has the whole base upon it.
+/// The least factor over time of the circles that were found, each held, its ends
+/// at the loaded width where that is wider.
 void follow_circles(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
                     SlipCircles& circles) {
   const SlipCircleFound& circle = *circles.governs;
@@ -120,7 +121,7 @@ void follow_circles(const Evidence& e, const CircleGround& ground, const std::op
     const PressureAt pressure = pressure_at(time[i]);
     double least = HUGE_VAL;
     for (const auto* held : {&circles.at_rest, &circles.still, &circles.computed})
-      if (*held) least = std::min(least, safety_at(ground, **held, moment, pressure).factor);
+      if (*held) least = std::min(least, widened_safety_at(ground, **held, moment, pressure).factor);
     circles.course.time.push_back(time[i]);
     circles.course.factor.push_back(std::isfinite(least) ? least : NAN);
   }
