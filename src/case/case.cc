@@ -91,8 +91,8 @@ void make_sliding(Case& problem, Diagnostics& report) {
 CaseTables read_tables(const Document& document, Diagnostics& report) {
   CaseTables tables;
   case_schema().read(document.root(), "", tables, report);
-  for (const auto check :
-       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_output, check_sliding})
+  for (const auto check : {check_mesh, check_regions, check_section, check_loads, check_time, check_probes,
+                           check_output, check_cycles, check_sliding})
     check(tables, document, report);
   return tables;
 }

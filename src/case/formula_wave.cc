@@ -169,6 +169,11 @@ void declare_factors(TableSchema<Limits>& table) {
            "largest tilt of the caisson, left in the end by soil that yields, that is allowed")
       .range(above(0.));
   table
+      .key("pressure_ratio", &Limits::pressure_ratio, "",
+           "largest residual pore pressure of a storm over the mean effective stress at rest that is allowed; 1: the "
+           "soil has liquefied")
+      .range(above(0.));
+  table
       .key("lives_beyond", &Limits::lives_beyond, "",
            "largest share of the lives that may slide farther than `sliding`")
       .range(between(0., 1.));

@@ -208,6 +208,15 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
            "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
            "\"mohr_coulomb\"",
            ""});
+    if (region.cyclic && resolved.scene.cycles)
+      resolved.decisions.push_back(
+          {name, "cyclic",
+           "tau/sigma'_0 = " + significant(region.cyclic->alpha_r()) + " N^" + significant(region.cyclic->beta_r()),
+           std::string("N cycles liquefy it; ") +
+               (region.cyclic->alpha && region.cyclic->beta
+                    ? "as the case says"
+                    : "assumed, by D_r: alpha = 0.34 D_r + 0.084, beta = 0.37 D_r - 0.46 (Sumer and others 2012)"),
+           ""});
     if (region.strain_law && region.law == SoilLaw::elastic)
       resolved.decisions.push_back({name, "strain", "equivalent-linear",
                                     "stiffness and damping follow the shear strain, settled when it is run", ""});

@@ -22,6 +22,7 @@ Finding contact_finding();
 Finding sliding_finding();
 Finding base_finding();
 Finding circles_finding();
+Finding cycles_finding();
 Finding harbour_finding();
 Finding strength_finding();
 Finding cavitation_finding();
@@ -33,10 +34,11 @@ namespace {
 
 const std::vector<Finding>& findings() {
   static const std::vector<Finding> rows{
-      discretisation_finding(), rest_finding(),        shear_finding(),    energy_finding(),      reduction_finding(),
-      periods_finding(),        sliding_finding(),     yielding_finding(), base_finding(),        circles_finding(),
-      contact_finding(),        harbour_finding(),     strength_finding(), cavitation_finding(),  scene_finding(),
-      densification_finding(),  strain_soil_finding(), ways_finding(),     plausibility_finding()};
+      discretisation_finding(), rest_finding(),        shear_finding(),      energy_finding(),
+      reduction_finding(),      periods_finding(),     sliding_finding(),    yielding_finding(),
+      base_finding(),           circles_finding(),     cycles_finding(),     contact_finding(),
+      harbour_finding(),        strength_finding(),    cavitation_finding(), scene_finding(),
+      densification_finding(),  strain_soil_finding(), ways_finding(),       plausibility_finding()};
   return rows;
 }
 

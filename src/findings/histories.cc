@@ -156,6 +156,18 @@ std::vector<Dataset> names_of_histories(const Simulation& simulation) {
   return histories(simulation, {{}, none(system.readings.size()), none(system.loads.size())});
 }
 
+namespace {
+
+/// Course of the residual pore pressure of a storm.
+std::vector<Dataset> cycle_tables(const std::optional<CyclesSummary>& cycles) {
+  if (!cycles) return {};
+  return {{"cycles/time", "s", "time from the beginning of the storm, calm included", cycles->history_time},
+          {"cycles/largest_ratio", "1", "largest residual pore pressure over the effective stress at rest then",
+           cycles->history_ratio}};
+}
+
+}  // namespace
+
 std::vector<Dataset> tables(const Run& run) {
   const Scene& scene = run.simulation->scene();
   const Trajectory trajectory = trajectory_of(run);
@@ -171,8 +183,8 @@ std::vector<Dataset> tables(const Run& run) {
   add("history/", rows.series, told(rows, whole_tolerance(*run.simulation)));
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
-  for (auto part :
-       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding)})
+  for (auto part : {base_tables(*run.simulation, rows.series), node_tables(run.contact),
+                    coupled_tables(run.summary.sliding), cycle_tables(run.summary.cycles)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

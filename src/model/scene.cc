@@ -45,6 +45,11 @@ bool has_strength(const Scene& scene) {
                      [](const auto& entry) { return entry.second.strength && entry.second.law == SoilLaw::elastic; });
 }
 
+bool builds_pressure(const Scene& scene) {
+  return scene.cycles && std::any_of(scene.regions.begin(), scene.regions.end(),
+                                     [](const auto& entry) { return entry.second.cyclic.has_value(); });
+}
+
 double contact_friction(const Scene& scene) {
   constexpr double usual = 0.6;  // of concrete on rubble: Goda (2000), section 4.2
   const ContactLaw* law = contact_law(scene);

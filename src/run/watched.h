@@ -1,10 +1,12 @@
-// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil.
+// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil, shear
+// of sand that builds pore pressure.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "response/cyclic_shear.h"
 #include "response/monitors.h"
 #include "upbead/run/simulation.h"
 
@@ -22,7 +24,9 @@ class Watched {
 
   std::optional<LeastPressure> pressure;
   std::optional<Mobilisation> strength;
-  std::string why_no_pressure, why_no_strength;  ///< "" where there is one
+  std::optional<CyclicShear> cyclic;
+  std::optional<StaticStage> rest;  ///< the ground at rest, where strength or cycles ask for it
+  std::string why_no_pressure, why_no_strength, why_no_cyclic;  ///< "" where there is one
 };
 
 }  // namespace upbead

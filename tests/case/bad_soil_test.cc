@@ -69,6 +69,18 @@ const std::vector<BadCase> rows{
     BadCase{"DensificationOfASolid", "youngs_modulus = 30e9",
             "youngs_modulus = 30e9\ndensification = { relative_density = 0.5 }",
             "case.toml:30:1: 'densification' does not belong in [regions.block] (only in porous regions); remove it"},
+    BadCase{"CyclicOfWhat", "tortuosity = 1.2", "tortuosity = 1.2\ncyclic = { alpha = 0.25 }",
+            "case.toml:23:1: [regions.rubble]: neither 'relative_density' nor both of 'alpha' and 'beta' are given, "
+            "which cyclic needs; add relative_density = 0.5, or alpha and beta of cyclic tests"},
+    BadCase{
+        "CyclicOfYieldingSoil", "tortuosity = 1.2",
+        "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\n"
+        "cyclic = { relative_density = 0.6 }",
+        "case.toml:25:1: [regions.rubble]: the shear of soil that yields is not proportional to the wave, as cycles "
+        "of a storm need; write law = \"elastic\", or use densification, which follows every cycle, instead of "
+        "cyclic"},
+    BadCase{"CyclicOfASolid", "youngs_modulus = 30e9", "youngs_modulus = 30e9\ncyclic = { relative_density = 0.5 }",
+            "case.toml:30:1: 'cyclic' does not belong in [regions.block] (only in porous regions); remove it"},
     BadCase{"UnknownFit", "ratio = 0.05,", "ratio = 0.05, fit = \"bnad\",",
             "case.toml:25:27: fit = \"bnad\" is none of ends, band; did you mean 'band'?"},
 };

@@ -112,6 +112,10 @@ Summary full_summary() {
   s.checks = {{}};
   s.checks.back().balance.emplace();
   s.circles.emplace().block.emplace();
+  CyclesSummary& cycles = s.cycles.emplace();
+  cycles.regions = {{}};
+  cycles.by_compaction.emplace();
+  cycles.by_drainage.emplace();
   s.circles->at_rest = s.circles->still = s.circles->computed = s.circles->governs = SlipCircleFound();
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();

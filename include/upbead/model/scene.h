@@ -73,6 +73,20 @@ struct SlidingChoice {
   std::optional<SlidingWave> wave;
 };
 
+/// The waves of a storm, of which the run is one, in parts that follow each other in time: docs/cycles.md.
+struct Cycles {
+  std::vector<double> number;        ///< of waves in each part
+  std::vector<double> period;        ///< s
+  std::vector<double> height;        ///< of waves (m); empty: all are as the run's
+  std::optional<double> run_height;  ///< of the run's wave (m); where there are heights
+  std::optional<double> calm;        ///< time after the storm that is followed (s); none: until little pressure is left
+  /// Amplitude of shear of a part over that of the run.
+  double share(std::size_t part) const { return height.empty() ? 1. : height[part] / *run_height; }
+};
+
+/// Everything that is missing or contradictory in [cycles].
+Diagnostics diagnose(const Cycles& cycles);
+
 /// Limits of the checks; without a limit there is no check.
 struct Limits {
   std::optional<double> sliding;                 ///< S (m)
@@ -85,6 +99,7 @@ struct Limits {
   std::optional<double> seaward_sliding_factor;  ///< likewise seaward; else as sliding_factor
   std::optional<double> settlement;              ///< of the caisson, left in the end, downward (m)
   std::optional<double> tilt;                    ///< of the caisson, left in the end (rad)
+  std::optional<double> pressure_ratio;          ///< largest residual pore pressure over the effective stress at rest
   std::optional<double> lives_beyond;            ///< share of lives that may slide farther than `sliding`
 };
 
@@ -150,6 +165,7 @@ struct Scene {
   std::optional<double> output_every;  ///< s between values of the histories; none: the steps' own times
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
+  std::optional<Cycles> cycles;
   Limits limits;
 };
 
@@ -170,6 +186,9 @@ bool yields(const Scene& scene);
 
 /// Whether some region has a strength that is not part of its law: stresses are compared with it.
 bool has_strength(const Scene& scene);
+
+/// Whether cycles of a storm build pore pressure in some region.
+bool builds_pressure(const Scene& scene);
 
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
 double contact_friction(const Scene& scene);

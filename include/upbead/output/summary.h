@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -267,6 +268,63 @@ struct SlipCircles {
   double share_steep = 0.;  ///< of the circles tried: left out, as the method does not hold for them
 };
 
+/// What the cycles of a storm left in a region whose sand builds pore pressure.
+struct CyclicRegion {
+  std::string region;
+  double alpha = 0., beta = 0.;              ///< tau/sigma'_0 = alpha N^beta
+  double largest_shear = 0.;                 ///< amplitude of the run's wave (Pa)
+  double largest_stress_ratio = 0.;          ///< tau/sigma'_0 of the largest waves of the storm
+  double least_cycles = 0.;                  ///< of these that liquefy the soil, N_l
+  double largest_ratio = 0.;                 ///< p/sigma'_0 at any time
+  std::array<double, 2> at{0., 0.};          ///< where that is (m)
+  double time = 0.;                          ///< and when, from the storm's beginning (s)
+  double ratio_at_end = 0.;                  ///< largest p/sigma'_0 when the storm ends
+  double share_liquefied = 0.;               ///< of the area where p reached sigma'_0
+  double left_out = 0.;                      ///< share of the area without an effective stress to speak of
+  std::optional<double> largest_compaction;  ///< volumetric strain by cycles of shear; none without D_r
+};
+
+/// How the caisson has settled once all residual pressure is gone.
+struct CaissonSettling {
+  double settlement = 0.;  ///< downward (m)
+  double tilt = 0.;        ///< landward positive (rad)
+};
+
+/// By active cell index of the mesh; NaN where there is none.
+struct CycleFields {
+  std::vector<double> effective_stress, shear;  ///< mean at rest, and cyclic amplitude in the run's wave (Pa)
+  std::vector<double> pressure;                 ///< residual, when the storm ends (Pa)
+  std::vector<double> largest_ratio;            ///< p/sigma'_0
+  std::vector<double> compaction, drained;      ///< volumetric strain by shear, and by the water that was pressed out
+};
+
+/// Volumes of water per metre over storm and calm (m2): source = stored + outflow + shed.
+struct ResidualWater {
+  double source = 0.;   ///< pressed out of the soil by shear
+  double stored = 0.;   ///< still under pressure in the end
+  double outflow = 0.;  ///< that has drained
+  double shed = 0.;     ///< that liquefied soil does not press out, as it bears no more
+  double error = 0.;    ///< of the balance, over the source
+};
+
+/// Residual pore pressure, settlement and tilt of a storm.
+struct CyclesSummary {
+  double waves = 0., duration = 0., calm = 0.;  ///< number; of the storm and of the time followed after it (s)
+  double largest_ratio = 0.;                    ///< p/sigma'_0
+  std::array<double, 2> at{0., 0.};             ///< where that is (m)
+  double time = 0.;                             ///< and when (s)
+  int cells_liquefied = 0;
+  double area_liquefied = 0.;             ///< m2
+  std::optional<double> first_liquefied;  ///< when the first cell liquefies (s)
+  double ratio_left = 0.;                 ///< largest p/sigma'_0 at the end of the calm
+  ResidualWater water;
+  std::optional<CaissonSettling> by_compaction, by_drainage;
+  std::string why_no_settling;  ///< why both are missing; "" where one is there
+  std::vector<CyclicRegion> regions;
+  std::vector<double> history_time, history_ratio;  ///< s; largest p/sigma'_0 then
+  std::shared_ptr<const CycleFields> fields;
+};
+
 /// What it cost to solve soil that yields, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
@@ -379,6 +437,8 @@ struct Summary {
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
   std::optional<SlipCircles> circles;          ///< none where no region has a strength, or no base presses on it
   std::string why_no_circles;                  ///< why not; "" where they are there
+  std::optional<CyclesSummary> cycles;         ///< none where no storm builds pressure
+  std::string why_no_cycles;                   ///< why not, where a storm is given; "" where it is there
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
   std::optional<Verdict> verdict;              ///< drawn from checks and warnings
   Checks checks;                               ///< of the section, in the order of a sheet
