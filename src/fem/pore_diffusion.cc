@@ -6,6 +6,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -15,10 +16,10 @@ using namespace dealii;
 
 namespace {
 
-using Entries = std::vector<Eigen::Triplet<double>>;
+using FlowEntries = std::vector<Eigen::Triplet<double>>;
 using NodeRow = std::vector<std::pair<int, double>>;
 
-SparseMatrix matrix_of(const Entries& entries, std::size_t rows, std::size_t columns) {
+SparseMatrix flow_matrix(const FlowEntries& entries, std::size_t rows, std::size_t columns) {
   SparseMatrix matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
@@ -52,10 +53,10 @@ class FlowAssembly {
     each_cell([this](const Cell& cell, const Cell& own) { add_cell(cell, own); });
     each_cell([this](const Cell& cell, const Cell& own) { add_sides(cell, own); });
     const std::size_t nodes = flow_.node.size(), cells = flow_.cells.size();
-    flow_.conductance = matrix_of(conductance_, nodes, nodes);
-    flow_.node_area = matrix_of(node_area_, nodes, cells);
-    flow_.at_middle = matrix_of(at_middle_, cells, nodes);
-    flow_.to_nodes = matrix_of(to_nodes_, nodes, cells);
+    flow_.conductance = flow_matrix(conductance_, nodes, nodes);
+    flow_.node_area = flow_matrix(node_area_, nodes, cells);
+    flow_.at_middle = flow_matrix(at_middle_, cells, nodes);
+    flow_.to_nodes = flow_matrix(to_nodes_, nodes, cells);
     flow_.storage = flow_.node_area * Eigen::Map<const Vector>(flow_.cell_storage.data(), static_cast<int>(cells));
     return std::move(flow_);
   }
@@ -153,12 +154,12 @@ class FlowAssembly {
   AffineConstraints<double> hanging_;
   FEValues<dim> values_{fe_, QGauss<dim>(2), update_values | update_gradients | update_JxW_values};
   std::vector<int> place_, number_;
-  Entries conductance_, node_area_, at_middle_, to_nodes_;
+  FlowEntries conductance_, node_area_, at_middle_, to_nodes_;
   PoreFlow flow_;
 };
 
 /// Least-squares gradient over the cells beside a cell; none of it across directions in which there is none.
-Eigen::Vector2d gradient(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts,
+Eigen::Vector2d slope_of(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts,
                          std::size_t c) {
   std::vector<int> others;
   for (const int other : flow.beside[c])
@@ -181,22 +182,48 @@ PoreFlow pore_flow(const Space& space, const Scene& scene) {
   return FlowAssembly(space, scene).make();
 }
 
+namespace {
+
+std::vector<Eigen::Vector2d> slopes_of(const PoreFlow& flow, const std::vector<double>& value,
+                                       const std::vector<bool>& counts) {
+  std::vector<Eigen::Vector2d> slopes(flow.cells.size(), Eigen::Vector2d::Zero());
+  for (std::size_t c = 0; c < slopes.size(); ++c)
+    if (counts[c]) slopes[c] = slope_of(flow, value, counts, c);
+  return slopes;
+}
+
+/// From the middle of a cell to a node, along its slope.
+double rise(const PoreFlow& flow, const Eigen::Vector2d& slope, std::size_t cell, std::size_t node) {
+  const auto d = flow.node[node] - flow.middle[cell];
+  return slope[0] * d[0] + slope[1] * d[1];
+}
+
+}  // namespace
+
 Vector at_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts) {
   const auto nodes = static_cast<Eigen::Index>(flow.node.size());
-  std::vector<Eigen::Vector2d> slope(flow.cells.size(), Eigen::Vector2d::Zero());
-  for (std::size_t c = 0; c < slope.size(); ++c)
-    if (counts[c]) slope[c] = gradient(flow, value, counts, c);
+  const std::vector<Eigen::Vector2d> slope = slopes_of(flow, value, counts);
   Vector sum = Vector::Zero(nodes), weights = Vector::Zero(nodes);
   for (Eigen::Index n = 0; n < nodes; ++n)
     for (SparseMatrix::InnerIterator it(flow.to_nodes, n); it; ++it) {
       const auto c = static_cast<std::size_t>(it.col());
       if (!counts[c]) continue;
-      const auto d = flow.node[static_cast<std::size_t>(n)] - flow.middle[c];
-      sum[n] += flow.area[c] * (value[c] + slope[c][0] * d[0] + slope[c][1] * d[1]);
+      sum[n] += flow.area[c] * (value[c] + rise(flow, slope[c], c, static_cast<std::size_t>(n)));
       weights[n] += flow.area[c];
     }
   for (Eigen::Index n = 0; n < nodes; ++n) sum[n] = weights[n] > 0. ? sum[n] / weights[n] : HUGE_VAL;
   return sum;
+}
+
+SparseMatrix spread_to_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts) {
+  const std::vector<Eigen::Vector2d> slope = slopes_of(flow, value, counts);
+  FlowEntries entries;
+  for (Eigen::Index n = 0; n < flow.node_area.rows(); ++n)
+    for (SparseMatrix::InnerIterator it(flow.node_area, n); it; ++it)
+      if (const auto c = static_cast<std::size_t>(it.col()); counts[c])
+        entries.emplace_back(
+            n, it.col(), it.value() * std::max(value[c] + rise(flow, slope[c], c, static_cast<std::size_t>(n)), 0.));
+  return flow_matrix(entries, flow.node.size(), flow.cells.size());
 }
 
 }  // namespace upbead

@@ -32,4 +32,8 @@ PoreFlow pore_flow(const Space& space, const Scene& scene);
 /// that count (by place in `flow.cells`). Infinite at nodes without such a cell.
 Vector at_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts);
 
+/// Values of cells that count, straight from their middles to their nodes and not below 0, times the area that belongs
+/// to a node: nodes x cells.
+SparseMatrix spread_to_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts);
+
 }  // namespace upbead

@@ -102,7 +102,6 @@ void CappedFlow::step(const Vector& source, double dt) {
 namespace {
 
 constexpr int levels = 5;  ///< lengths of the steps that begin a part, each twice the one before
-constexpr int steps_of_level = 16;
 constexpr double left_in_calm = 0.01, longest_calm = 1000.;  ///< as declared for [cycles] calm
 
 /// The course of a storm; calls for each step.
@@ -116,7 +115,7 @@ class Storm {
       list->assign(cells.size(), nothing);
     for (const unsigned cell : flow.cells)
       if (cells[cell].counts) found_.largest_ratio[cell] = found_.ratio_time[cell] = 0.;
-    pressed_.assign(flow.cells.size(), 0.);
+    pressed_.resize(nodes(), static_cast<Eigen::Index>(flow.cells.size()));
     found_.time = found_.ratio = {0.};
   }
 
@@ -133,6 +132,7 @@ class Storm {
   }
 
  private:
+  int steps_of_level() const { return std::max(steps_ / 4, 1); }
   Eigen::Index nodes() const { return static_cast<Eigen::Index>(flow_.node.size()); }
 
   Vector cap() const {
@@ -145,30 +145,34 @@ class Storm {
     return at_nodes(flow_, stress, counts);
   }
 
-  /// Volumetric strain per time by which each cell presses water out, S f (1/s), by place in flow.cells.
-  Vector rate(std::size_t part) const {
-    Vector rate = Vector::Zero(static_cast<Eigen::Index>(flow_.cells.size()));
-    for (std::size_t c = 0; c < flow_.cells.size(); ++c)
-      if (const StormCell& cell = cells_[flow_.cells[c]]; cell.strength && cell.counts)
-        rate[static_cast<Eigen::Index>(c)] =
-            flow_.cell_storage[c] *
-            pressure_of_cycle(*cell.strength, cycles_.share(part) * cell.shear, cell.effective_stress) /
-            cycles_.period[part];
-    return rate;
+  /// Water that each cell presses out to its nodes, S f (m2/s): nodes x cells.
+  SparseMatrix source(std::size_t part) const {
+    std::vector<double> rate(flow_.cells.size(), 0.);
+    std::vector<bool> builds(rate.size(), false);
+    for (std::size_t c = 0; c < rate.size(); ++c) {
+      const StormCell& cell = cells_[flow_.cells[c]];
+      builds[c] = cell.strength && cell.counts;
+      if (builds[c])
+        rate[c] = flow_.cell_storage[c] *
+                  pressure_of_cycle(*cell.strength, cycles_.share(part) * cell.shear, cell.effective_stress) /
+                  cycles_.period[part];
+    }
+    return spread_to_nodes(flow_, rate, builds);
   }
 
   void run_part(std::size_t part) {
     const double duration = cycles_.number[part] * cycles_.period[part], end = time_ + duration;
-    const Vector strain_rate = rate(part), source = flow_.node_area * strain_rate;
+    const SparseMatrix spread = source(part);
+    const Vector at_nodes = spread * Vector::Ones(spread.cols()), of_cells = spread.transpose() * Vector::Ones(nodes());
     double dt = duration / steps_ / (1 << levels);
     for (int n = 1; time_ < end * (1. - 1e-12); ++n) {
-      take(source, std::min(dt, end - time_));
-      if (n % steps_of_level == 0 && n <= levels * steps_of_level) dt *= 2.;
+      take(at_nodes, std::min(dt, end - time_));
+      if (n % steps_of_level() == 0 && n <= levels * steps_of_level()) dt *= 2.;
     }
     time_ = end;
-    for (std::size_t c = 0; c < pressed_.size(); ++c)
-      pressed_[c] += duration * strain_rate[static_cast<Eigen::Index>(c)];
-    source_at_nodes_ += duration * source;
+    pressed_ += duration * spread;
+    found_.source += duration * of_cells.sum();
+    source_at_nodes_ += duration * at_nodes;
     compact(part);
   }
 
@@ -190,7 +194,7 @@ class Storm {
     double dt = begin / steps_ / (1 << levels);
     for (int n = 1; time_ < end * (1. - 1e-12) && (cycles_.calm || found_.ratio.back() > enough); ++n) {
       take(none, std::min(dt, end - time_));
-      if (n % steps_of_level == 0) dt *= 2.;
+      if (n % steps_of_level() == 0) dt *= 2.;
     }
   }
 
@@ -219,10 +223,9 @@ class Storm {
     for (Eigen::Index n = 0; n < nodes(); ++n)
       if (water_.shed()[n] > 0.)
         kept[n] = source_at_nodes_[n] > 0. ? std::max(1. - water_.shed()[n] / source_at_nodes_[n], 0.) : 0.;
-    const Vector share = flow_.node_area.transpose() * kept;
-    for (std::size_t c = 0; c < pressed_.size(); ++c)
-      found_.drained[flow_.cells[c]] = pressed_[c] * share[static_cast<Eigen::Index>(c)] / flow_.area[c];
-    for (std::size_t c = 0; c < pressed_.size(); ++c) found_.source += pressed_[c] * flow_.area[c];
+    const Vector pressed = pressed_.transpose() * kept;
+    for (std::size_t c = 0; c < flow_.cells.size(); ++c)
+      found_.drained[flow_.cells[c]] = pressed[static_cast<Eigen::Index>(c)] / flow_.area[c];
     found_.stored = water_.stored();
     found_.outflow = water_.outflow();
     found_.shed = water_.shed().sum();
@@ -233,8 +236,8 @@ class Storm {
   const std::vector<StormCell>& cells_;
   int steps_;
   CappedFlow water_;
-  Vector source_at_nodes_;       ///< since the beginning (m2)
-  std::vector<double> pressed_;  ///< volumetric strain by place in flow.cells, with what is shed
+  Vector source_at_nodes_;  ///< since the beginning (m2)
+  SparseMatrix pressed_;    ///< water pressed out so far, with what is shed: nodes x cells (m2)
   StormFound found_;
   double time_ = 0.;
 };

@@ -70,7 +70,8 @@ struct StormFound {
   double source = 0., stored = 0., outflow = 0., shed = 0.;  ///< m2
 };
 
-/// `cells`: by active cell index. `steps`: of a part of the storm, at the end; twice as short ones begin it, six times.
+/// `cells`: by active cell index. A part of the storm ends in steps of its duration over `steps`, and begins in steps
+/// of a 32nd of these, which double after every steps/4; in the calm they go on doubling.
 StormFound run_storm(const PoreFlow& flow, const Cycles& cycles, const std::vector<StormCell>& cells, int steps = 64);
 
 /// From p = liquefied sigma'_0 on soil counts as liquefied: the cap is met at nodes, ratios are of the middles of
