@@ -154,6 +154,21 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
                                 cells});
 }
 
+Decision tell_densification(const std::string& name, const Densification& law) {
+  return {name, "densification", "C1 = " + significant(law.C1()) + ", C2 = " + significant(law.C2()),
+          "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = \"mohr_coulomb\"", ""};
+}
+
+/// By which curve cycles of a storm liquefy a soil, and what of it is assumed.
+Decision tell_cyclic(const std::string& name, const CyclicSoil& soil) {
+  const bool given = soil.alpha && soil.beta;
+  return {name, "cyclic", "tau/sigma'_0 = " + significant(soil.alpha_r()) + " N^" + significant(soil.beta_r()),
+          std::string("N cycles liquefy it; ") +
+              (given ? "as the case says"
+                     : "assumed, by D_r: alpha = 0.34 D_r + 0.084, beta = 0.37 D_r - 0.46 (Sumer and others 2012)"),
+          ""};
+}
+
 }  // namespace
 
 Decision tell_damping(const std::string& name, const Rayleigh& damping) {
@@ -201,22 +216,8 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
     if (region.law != SoilLaw::elastic)
       resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
                                     "as the case says; where it yields nothing is linear, so it is marched", ""});
-    if (region.densification)
-      resolved.decisions.push_back(
-          {name, "densification",
-           "C1 = " + significant(region.densification->C1()) + ", C2 = " + significant(region.densification->C2()),
-           "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
-           "\"mohr_coulomb\"",
-           ""});
-    if (region.cyclic && resolved.scene.cycles)
-      resolved.decisions.push_back(
-          {name, "cyclic",
-           "tau/sigma'_0 = " + significant(region.cyclic->alpha_r()) + " N^" + significant(region.cyclic->beta_r()),
-           std::string("N cycles liquefy it; ") +
-               (region.cyclic->alpha && region.cyclic->beta
-                    ? "as the case says"
-                    : "assumed, by D_r: alpha = 0.34 D_r + 0.084, beta = 0.37 D_r - 0.46 (Sumer and others 2012)"),
-           ""});
+    if (region.densification) resolved.decisions.push_back(tell_densification(name, *region.densification));
+    if (region.cyclic && scene.cycles) resolved.decisions.push_back(tell_cyclic(name, *region.cyclic));
     if (region.strain_law && region.law == SoilLaw::elastic)
       resolved.decisions.push_back({name, "strain", "equivalent-linear",
                                     "stiffness and damping follow the shear strain, settled when it is run", ""});

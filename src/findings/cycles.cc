@@ -24,6 +24,7 @@ constexpr double largest_measured = 1e-2;
 
 struct CyclesFound {
   std::optional<CyclesSummary> summary;
+  std::map<std::string, double> largest_strain;  ///< amplitude of gamma in the highest waves, by region
   std::string why_not;
 };
 
@@ -141,6 +142,18 @@ std::vector<CyclicRegion> cyclic_regions(const Evidence& e, const std::vector<St
   return list;
 }
 
+/// Of regions whose densification is computed.
+std::map<std::string, double> largest_strains(const Evidence& e, const std::vector<StormCell>& cells) {
+  std::map<std::string, double> largest;
+  const double share = largest_share(*e.scene.cycles);
+  for (const auto& cell : e.simulation.mesh()->triangulation.active_cell_iterators())
+    if (const StormCell& of = cells[cell->active_cell_index()]; of.compaction) {
+      double& strain = largest[e.simulation.mesh()->surface_of(cell)];
+      strain = std::max(strain, share * of.shear / of.modulus);
+    }
+  return largest;
+}
+
 void tell_cells(const Evidence& e, const StormFound& found, CyclesSummary& summary) {
   for (const auto& cell : e.simulation.mesh()->triangulation.active_cell_iterators()) {
     const std::size_t i = cell->active_cell_index();
@@ -201,6 +214,7 @@ CyclesFound find_storm(const Evidence& e) {
   if (found.source > 0.)
     summary.water.error = (found.source - found.stored - found.outflow - found.shed) / found.source;
   tell_cells(e, found, summary);
+  out.largest_strain = largest_strains(e, cells);
   summary.regions = cyclic_regions(e, cells, found);
   tell_settling(e, found, summary);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -241,18 +255,14 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   if (cycles.cells_liquefied > 0)
     list.push_back({"liquefied", cycles.largest_ratio, liquefied_ratio, "1",
                     liquefied_text(cycles) + ": it has liquefied, and the stiffness, F_T and S of the run are those of "
-                                             "sound ground; settlement and tilt of the storm are then not told",
+                                             "sound ground; settlement and tilt of the storm then have no bound",
                     "compact or drain the sand, or replace it, and run again"});
-  const double share = largest_share(*e.scene.cycles);
-  for (const CyclicRegion& region : cycles.regions) {
-    const auto& G = e.scene.regions.at(region.region).shear_modulus;
-    if (!region.largest_compaction || !G || share * region.largest_shear / *G <= largest_measured) continue;
-    list.push_back({"beyond_compaction", share * region.largest_shear / *G, largest_measured, "1",
-                    "region '" + region.region + "' is sheared by an amplitude of " +
-                        significant(share * region.largest_shear / *G, 2) +
-                        " in the storm: densification was measured up to 0.003",
-                    "trust no settlement of '" + region.region + "' where it is sheared so much"});
-  }
+  for (const auto& [region, strain] : e.of(find_storm).largest_strain)
+    if (strain > largest_measured)
+      list.push_back({"beyond_compaction", strain, largest_measured, "1",
+                      "region '" + region + "' is sheared by an amplitude of " + significant(strain, 2) +
+                          " in the storm: densification was measured up to 0.003",
+                      "trust no settlement of '" + region + "' where it is sheared so much"});
   return list;
 }
 
