@@ -106,6 +106,7 @@ class FlowAssembly {
     flow_.cells.push_back(cell->active_cell_index());
     flow_.area.push_back(area_of(cell));
     flow_.middle.push_back(cell->center());
+    flow_.region.push_back(cell->material_id());
     flow_.cell_storage.push_back(m.alpha * m.alpha / m.constrained_modulus() + m.storage);
     values_.reinit(own);
     const std::vector<NodeRow> rows = rows_of(own);
@@ -203,16 +204,19 @@ double rise(const PoreFlow& flow, const Eigen::Vector2d& slope, std::size_t cell
 Vector at_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts) {
   const auto nodes = static_cast<Eigen::Index>(flow.node.size());
   const std::vector<Eigen::Vector2d> slope = slopes_of(flow, value, counts);
-  Vector sum = Vector::Zero(nodes), weights = Vector::Zero(nodes);
-  for (Eigen::Index n = 0; n < nodes; ++n)
+  Vector least = Vector::Constant(nodes, HUGE_VAL);
+  for (Eigen::Index n = 0; n < nodes; ++n) {
+    std::map<unsigned, std::pair<double, double>> of_regions;  // sum and weight
     for (SparseMatrix::InnerIterator it(flow.to_nodes, n); it; ++it) {
       const auto c = static_cast<std::size_t>(it.col());
       if (!counts[c]) continue;
-      sum[n] += flow.area[c] * (value[c] + rise(flow, slope[c], c, static_cast<std::size_t>(n)));
-      weights[n] += flow.area[c];
+      auto& [sum, weight] = of_regions[flow.region[c]];
+      sum += flow.area[c] * (value[c] + rise(flow, slope[c], c, static_cast<std::size_t>(n)));
+      weight += flow.area[c];
     }
-  for (Eigen::Index n = 0; n < nodes; ++n) sum[n] = weights[n] > 0. ? sum[n] / weights[n] : HUGE_VAL;
-  return sum;
+    for (const auto& [region, mean] : of_regions) least[n] = std::min(least[n], mean.first / mean.second);
+  }
+  return least;
 }
 
 SparseMatrix spread_to_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts) {

@@ -14,6 +14,7 @@ struct PoreFlow {
   std::vector<unsigned> cells;             ///< that have pore water, by active cell index
   std::vector<double> area, cell_storage;  ///< of these (m2), and their S (1/Pa)
   std::vector<dealii::Point<dim>> middle;  ///< of these (m)
+  std::vector<unsigned> region;            ///< of these, by material id
   std::vector<std::vector<int>> beside;  ///< cells of the same region that share a side with a cell; places in `cells`
   Vector storage;                        ///< of the nodes (m2/Pa)
   SparseMatrix conductance;              ///< flow out of a node by pressures (m2/(Pa s))
@@ -28,8 +29,9 @@ struct PoreFlow {
 /// drained; all other sides are sealed, also far ones, where nothing changes along the ground.
 PoreFlow pore_flow(const Space& space, const Scene& scene);
 
-/// Values of cells at the nodes, straight between middles and beyond them, mean over the cells of a node; only of cells
-/// that count (by place in `flow.cells`). Infinite at nodes without such a cell.
+/// Values of cells at the nodes, straight between middles and beyond them, mean over the cells of a region at a node,
+/// and the least of its regions; only of cells that count (by place in `flow.cells`). Infinite at nodes without such a
+/// cell.
 Vector at_nodes(const PoreFlow& flow, const std::vector<double>& value, const std::vector<bool>& counts);
 
 /// Values of cells that count, straight from their middles to their nodes and not below 0, times the area that belongs

@@ -110,7 +110,7 @@ void take_cell(const StormCell& cell, const StormFound& found, double share, dou
   told.largest_stress_ratio = std::max(told.largest_stress_ratio, share * cell.shear / cell.effective_stress);
   if (!std::isnan(found.liquefied_at[i])) told.share_liquefied += area;
   if (std::isnan(found.largest_ratio[i])) return;
-  told.ratio_at_end = std::max(told.ratio_at_end, found.pressure[i] / cell.effective_stress);
+  told.ratio_at_end = std::max(told.ratio_at_end, std::min(found.pressure[i] / cell.effective_stress, 1.));
   if (found.largest_ratio[i] <= told.largest_ratio) return;
   told.largest_ratio = found.largest_ratio[i];
   told.time = found.ratio_time[i];
@@ -134,7 +134,8 @@ std::vector<CyclicRegion> cyclic_regions(const Evidence& e, const std::vector<St
     told.region = name;
     told.alpha = soil.alpha_r();
     told.beta = soil.beta_r();
-    told.least_cycles = CyclicStrength{told.alpha, told.beta}.cycles_to_liquefy(told.largest_stress_ratio);
+    told.least_cycles =
+        std::max(CyclicStrength{told.alpha, told.beta}.cycles_to_liquefy(told.largest_stress_ratio), 1.);
     told.left_out /= region.area;
     told.share_liquefied /= region.area;
     list.push_back(told);
@@ -169,12 +170,31 @@ void tell_cells(const Evidence& e, const StormFound& found, CyclesSummary& summa
   }
 }
 
+/// Of CyclesSummary::why_no_settling.
+const char* const no_bound = "ground that bears the caisson liquefies, and how far it sinks then has no bound here";
+
+/// Whether a cell between lines of 45 degrees from the edges of the base has liquefied.
+bool bearing_ground_liquefies(const Evidence& e, const StormFound& found) {
+  const Caisson& caisson = *e.simulation.compiled()->caisson;
+  for (const auto& cell : e.simulation.mesh()->triangulation.active_cell_iterators()) {
+    const auto d = cell->center() - caisson.bottom_centre;
+    if (!std::isnan(found.liquefied_at[cell->active_cell_index()]) && d[1] < 0. &&
+        std::abs(d[0]) < 0.5 * caisson.bottom_width - d[1])
+      return true;
+  }
+  return false;
+}
+
 void tell_settling(const Evidence& e, const StormFound& found, CyclesSummary& summary) {
   const auto of = [](const std::optional<SettledBody>& body) {
     return body ? std::optional(CaissonSettling{body->down, body->rotation}) : std::nullopt;
   };
   if (!e.simulation.compiled()->caisson) {
     summary.why_no_settling = "there is no caisson";
+    return;
+  }
+  if (bearing_ground_liquefies(e, found)) {
+    summary.why_no_settling = no_bound;
     return;
   }
   const auto settled =
@@ -254,8 +274,9 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   const CyclesSummary& cycles = *summary.cycles;
   if (cycles.cells_liquefied > 0)
     list.push_back({"liquefied", cycles.largest_ratio, liquefied_ratio, "1",
-                    liquefied_text(cycles) + ": it has liquefied, and the stiffness, F_T and S of the run are those of "
-                                             "sound ground; settlement and tilt of the storm then have no bound",
+                    liquefied_text(cycles) + ", most at " + place_text(cycles.at) +
+                        ": it has liquefied, and the stiffness, F_T and S of the run are those of sound ground" +
+                        (cycles.why_no_settling == no_bound ? "; " + cycles.why_no_settling : ""),
                     "compact or drain the sand, or replace it, and run again"});
   for (const auto& [region, strain] : e.of(find_storm).largest_strain)
     if (strain > largest_measured)
@@ -266,25 +287,23 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   return list;
 }
 
-/// The larger of two settlements, or tilts.
-std::optional<double> larger(const CyclesSummary& cycles, double CaissonSettling::*part) {
-  std::optional<double> largest;
-  for (const auto& way : {cycles.by_compaction, cycles.by_drainage})
-    if (way) largest = std::max(largest.value_or(0.), std::abs((*way).*part));
-  return largest;
-}
-
 Check settling_check(const CyclesSummary& cycles, const std::string& name, const std::string& unit,
-                     double CaissonSettling::*part, const std::string& key, const std::optional<double>& limit) {
-  const std::string how =
-      "after all residual pressure has gone; the larger of densification by cycles (Byrne 1991) and of the water that "
-      "is "
-      "pressed out (Seed and Rahman 1978), in drained elastic ground";
+                     double CaissonSettling::*part, const std::optional<double>& limit) {
+  const std::string member = part == &CaissonSettling::tilt ? "tilt" : "settlement";
+  const std::string after = "after all residual pressure has gone, in drained elastic ground; ";
+  if (cycles.why_no_settling == no_bound)
+    return at_most(check_of(name, unit, {}, "cycles.by_compaction." + member, after + no_bound), limit);
   if (!cycles.why_no_settling.empty())
-    return not_checked(at_most(check_of(name, unit, {}, key, how), limit), cycles.why_no_settling);
-  if (cycles.cells_liquefied > 0)  // without bound: the law knows no soil that has liquefied
-    return at_most(check_of(name, unit, {}, key, how + "; the ground liquefies, so that there is no bound"), limit);
-  return at_most(check_of(name, unit, larger(cycles, part), key, how), limit);
+    return not_checked(at_most(check_of(name, unit, {}, "cycles.by_compaction." + member, ""), limit),
+                       cycles.why_no_settling);
+  const bool compacts = cycles.by_compaction.has_value();
+  const double found = (compacts ? *cycles.by_compaction : *cycles.by_drainage).*part;
+  const double demand = part == &CaissonSettling::tilt ? std::abs(found) : std::max(found, 0.);
+  const std::string way = compacts ? "by_compaction." : "by_drainage.";
+  return at_most(check_of(name, unit, demand, "cycles." + way + member,
+                          after + (compacts ? "densification by cycles (Byrne 1991)"
+                                            : "the water that cycles press out (Seed and Rahman 1978)")),
+                 limit);
 }
 
 Checks cycles_checks(const Scene& scene, const Summary& summary) {
@@ -304,10 +323,8 @@ Checks cycles_checks(const Scene& scene, const Summary& summary) {
   }
   return {at_most(check_of("residual pore pressure", "", cycles.largest_ratio, "cycles.largest_ratio", how),
                   scene.limits.pressure_ratio),
-          settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement,
-                         "cycles.by_compaction.settlement", scene.limits.settlement),
-          settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, "cycles.by_compaction.tilt",
-                         scene.limits.tilt)};
+          settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement, scene.limits.settlement),
+          settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, scene.limits.tilt)};
 }
 
 OutputSchema<CyclicRegion> cyclic_region_outputs() {

@@ -16,7 +16,7 @@ double CyclicStrength::cycles_to_liquefy(double stress_ratio) const {
 }
 
 double pressure_of_cycle(const CyclicStrength& soil, double shear, double effective_stress) {
-  return effective_stress / soil.cycles_to_liquefy(shear / effective_stress);
+  return effective_stress / std::max(soil.cycles_to_liquefy(shear / effective_stress), 1.);
 }
 
 double compaction_after(const ShearCompaction& law, double amplitude, double cycles, double so_far) {

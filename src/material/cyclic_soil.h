@@ -13,7 +13,8 @@ struct CyclicStrength {
   double cycles_to_liquefy(double stress_ratio) const;
 };
 
-/// Seed and Rahman (1978): pore pressure that one cycle makes where no water leaves, sigma'_0 / N_l (Pa).
+/// Seed and Rahman (1978): pore pressure that one cycle makes where no water leaves, sigma'_0 / N_l (Pa). N_l counts as
+/// 1 at least: the curve was measured from some cycles on, and one cycle builds no more than the whole sigma'_0.
 double pressure_of_cycle(const CyclicStrength& soil, double shear, double effective_stress);
 
 /// eps_v after more cycles of one amplitude: ShearCompaction::of_half_cycle, half cycle by half cycle. Beyond 10^4 half

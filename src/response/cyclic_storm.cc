@@ -206,7 +206,8 @@ class Storm {
     for (std::size_t c = 0; c < flow_.cells.size(); ++c) {
       const unsigned i = flow_.cells[c];
       if (!cells_[i].counts) continue;
-      const double ratio = p[static_cast<Eigen::Index>(c)] / cells_[i].effective_stress;
+      // the cap is met at nodes; what the middle of a cell has beyond it is of the cells' size
+      const double ratio = std::min(p[static_cast<Eigen::Index>(c)] / cells_[i].effective_stress, 1.);
       largest = std::max(largest, ratio);
       if (ratio >= liquefied_ratio && std::isnan(found_.liquefied_at[i])) found_.liquefied_at[i] = time_;
       if (ratio <= found_.largest_ratio[i]) continue;

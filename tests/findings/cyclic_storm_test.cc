@@ -174,6 +174,26 @@ TEST(CyclicStorm, BuildsTheShareOfCyclesWhereNoWaterLeaves) {
   EXPECT_NEAR(twice.source, twice.stored + twice.outflow + twice.shed, 1e-10 * twice.source);
 }
 
+/// Miner's rule: shares of the lives of all parts add.
+TEST(CyclicStorm, AddsTheSharesOfPartsWhereNoWaterLeaves) {
+  Scene scene = column_scene(false);
+  scene.regions["soil"].hydraulic_conductivity = 1e-14;
+  const Column column(scene, column_mesh(H, 10));
+  const auto cells = sand_cells(column, [](double) { return 0.08; });
+  Cycles storm;
+  storm.number = {30., 4., 50.};
+  storm.period = {8., 12., 9.};
+  storm.height = {2., 4., 1.5};
+  storm.run_height = 4.;
+  double life = 0.;
+  for (std::size_t i = 0; i < 3; ++i)
+    life += storm.number[i] / CyclicStrength{0.254, -0.275}.cycles_to_liquefy(0.08 * storm.height[i] / 4.);
+  ASSERT_LT(life, 1.);
+  const StormFound found = run_storm(column.flow, storm, cells);
+  for (const unsigned cell : column.flow.cells)
+    EXPECT_NEAR(found.pressure[cell] / cells[cell].effective_stress, life, 1e-6 * life);
+}
+
 /// Explicit finite differences over depth, nodes half a step from both ends: pressure, source until p = sigma'_0, and a
 /// conductivity by depth. Shares no code with the program.
 std::vector<double> by_differences(int n, double end, double S, const std::function<double(double)>& mobility,

@@ -24,6 +24,7 @@ TEST(CyclicSoil, BuildsItsEffectiveStressInThatManyCycles) {
   EXPECT_NEAR(pressure_of_cycle(soil, 2. * shear, stress) / pressure_of_cycle(soil, shear, stress),
               std::pow(2., -1. / soil.beta), 1e-9);
   EXPECT_EQ(pressure_of_cycle(soil, 0., stress), 0.);
+  EXPECT_EQ(pressure_of_cycle(soil, stress, stress), stress);  // not more in one cycle
 }
 
 TEST(CyclicSoil, CompactsAsCyclesCountedOneByOne) {
