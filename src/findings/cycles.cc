@@ -274,7 +274,7 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   const CyclesSummary& cycles = *summary.cycles;
   if (cycles.cells_liquefied > 0)
     list.push_back({"liquefied", cycles.largest_ratio, liquefied_ratio, "1",
-                    liquefied_text(cycles) + ", most at " + place_text(cycles.at) +
+                    liquefied_text(cycles) + ", as at " + place_text(cycles.at) +
                         ": it has liquefied, and the stiffness, F_T and S of the run are those of sound ground" +
                         (cycles.why_no_settling == no_bound ? "; " + cycles.why_no_settling : ""),
                     "compact or drain the sand, or replace it, and run again"});
