@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "findings/circle_model.h"
 #include "respond/respond_slip.h"
 #include "response/reduction.h"
 #include "run/sliding/coupled_sliding.h"
@@ -27,6 +28,7 @@ struct Reduced {
   ReducedSlip slip;
   std::vector<Skipped> skipped;
   Nested nested;
+  CircleModelMade circles;
   std::string path;
   Timing timing;
 };

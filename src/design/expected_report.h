@@ -70,6 +70,12 @@ struct BaseOfLives {
   WorstOfLives heel_pressure, toe_pressure, eccentricity, overturning_margin;
 };
 
+/// The worst of every way to fail in each life, over the worst wave of each of its storms.
+struct WaysOfLives {
+  WorstOfLives sliding, sliding_seaward, overturning, heel_pressure, toe_pressure, circles;
+  double waves = 0.;  ///< answered, in all lives
+};
+
 struct MonteCarlo {
   Law law = Law::exact;
   LifeStatistics statistics;
@@ -81,6 +87,7 @@ struct MonteCarlo {
   std::optional<double> without_scatter;  ///< expectation of a life by quadrature, where only heights scatter (m)
   std::optional<BaseOfLives> base;
   std::string why_no_base;
+  std::optional<WaysOfLives> ways;  ///< where the reduced model has slip circles
   double seconds = 0.;
 };
 

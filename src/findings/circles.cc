@@ -1,108 +1,31 @@
 // Slip circles through mound and ground under the caisson, at rest and at the moments of the waves that may govern.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
-#include "findings/ground_section.h"
-#include "findings/pressure_map.h"
+#include "findings/circle_ground.h"
 #include "findings/topics.h"
 #include "rupture/slip_block.h"
+#include "upbead/rupture/circle_family.h"
 
 namespace upbead {
 
 namespace {
 
-using PressureAt = std::function<double(double x, double y)>;  ///< excess pore pressure (Pa); empty: none
-
-/// A moment, and what the base presses on the ground with.
-struct BaseMoment {
-  std::optional<double> time;                  ///< s; none: at rest
-  double force = 0., shear = 0., moment = 0.;  ///< N', F_T (N/m), M' (N m/m)
-};
-
-/// The base of the caisson, and the ground in which circles are sought: four widths to each side.
-struct CircleGround {
-  explicit CircleGround(const Simulation& simulation);
-
-  GroundSection section;
-  double left = 0., right = 0., level = 0.;  ///< of the base (m)
-  double from = 0., to = 0.;                 ///< ends of the ground where circles may meet its surface (m)
-  std::function<double(double)> surcharge;   ///< Pa at x
-};
-
-/// The weights of [initial.surcharge] over x, each between its ends on its curve.
-std::function<double(double)> surcharge_of(const Simulation& simulation) {
-  if (!simulation.scene().initial || simulation.scene().initial->surcharge.empty()) return {};
-  struct Piece {
-    double from, to, weight;
-  };
-  std::vector<Piece> pieces;
-  const Mesh& mesh = *simulation.mesh();
-  for (const auto& [name, s] : simulation.scene().initial->surcharge)
-    for (const auto& face : mesh.triangulation.active_face_iterators()) {
-      if (mesh.curve_of(face) != s.boundary) continue;
-      const double a = face->vertex(0)[0], b = face->vertex(1)[0];
-      const double from = std::max(std::min(a, b), s.from.value_or(-HUGE_VAL));
-      const double to = std::min(std::max(a, b), s.to.value_or(HUGE_VAL));
-      if (to > from) pieces.push_back({from, to, s.weight});
-    }
-  return [pieces = std::move(pieces)](double x) {
-    double sum = 0.;
-    for (const Piece& piece : pieces)
-      if (x >= piece.from && x < piece.to) sum += piece.weight;
-    return sum;
-  };
-}
-
-constexpr double widths_beside = 4.;
-
-CircleGround::CircleGround(const Simulation& simulation)
-    : section(ground_section(simulation)), surcharge(surcharge_of(simulation)) {
-  const Caisson& caisson = *simulation.compiled()->caisson;
-  const double B = caisson.bottom_width;
-  left = caisson.bottom_centre[0] - 0.5 * B;
-  right = left + B;
-  level = caisson.bottom_centre[1];
-  from = std::max(section.left(), left - widths_beside * B);
-  to = std::min(section.right(), right + widths_beside * B);
-}
-
-/// Whether the resultant stands on the base.
-bool stands(const EffectiveBase& base, std::size_t i) {
-  return base.force[i] > 0. && std::abs(base.moment[i]) < 0.499 * base.width * base.force[i];
-}
-
+/// Whether and when the resultant leaves the base.
 std::optional<double> leaves_time_of(const EffectiveBase& base, const std::vector<double>& time) {
-  for (std::size_t i = 0; i < time.size(); ++i)
-    if (!stands(base, i)) return time[i];
-  return std::nullopt;
+  const auto first = first_without_stand(base.force, base.moment, base.width);
+  return first ? std::optional(time[*first]) : std::nullopt;
 }
 
-/// The moments of largest F_T both ways, |M'/N'| and F_T/N', and of least N', each once, while the resultant stands on
-/// the base.
 std::vector<BaseMoment> moments_to_look_at(const EffectiveBase& base, const Eigen::RowVectorXd& shear,
                                            const std::vector<double>& time) {
-  using Measure = std::function<double(std::size_t)>;
-  const auto F = [&](std::size_t i) { return shear[static_cast<Eigen::Index>(i)]; };
-  const std::vector<Measure> measures{
-      [&](std::size_t i) { return F(i); },
-      [&](std::size_t i) { return -F(i); },
-      [&](std::size_t i) { return std::abs(base.moment[i]) / base.force[i]; },
-      [&](std::size_t i) { return std::abs(F(i)) / base.force[i]; },
-      [&](std::size_t i) { return -base.force[i]; },
-  };
-  std::set<std::size_t> rows;
-  for (const Measure& measure : measures) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < time.size(); ++i)
-      if (stands(base, i) && (!best || measure(i) > measure(*best))) best = i;
-    if (best) rows.insert(*best);
-  }
+  const std::vector<double> F(shear.begin(), shear.end());
   std::vector<BaseMoment> moments;
-  for (const std::size_t i : rows) moments.push_back({time[i], base.force[i], F(i), base.moment[i]});
+  for (const std::size_t i : moments_that_may_govern(base.force, base.moment, F, base.width))
+    moments.push_back({time[i], base.force[i], F[i], base.moment[i]});
   return moments;
 }
 
@@ -138,21 +61,6 @@ struct LookedFor {
   Counts counts;
 };
 
-/// What presses on the ground at a moment; none where the resultant leaves the base.
-std::optional<GroundLoads> loads_of(const CircleGround& ground, const BaseMoment& moment, const PressureAt& pressure) {
-  GroundLoads loads;
-  loads.strip = effective_strip(moment.force, moment.moment, moment.shear, ground.left, ground.right, ground.level);
-  if (!loads.strip) return std::nullopt;
-  loads.pressure = pressure;
-  loads.surcharge = ground.surcharge;
-  return loads;
-}
-
-/// All of the ground that leaves the whole strip on the part that slips.
-CircleRange range_beside(const CircleGround& ground, const StripLoad& strip) {
-  return {{ground.from, strip.from}, {strip.to, ground.to}};
-}
-
 /// The least circle of one moment. It slips to where the base is pushed or its resultant stands, and both ways where
 /// these differ or neither is known.
 LookedFor least_circle(const CircleGround& ground, const BaseMoment& moment, const PressureAt& pressure,
@@ -161,8 +69,7 @@ LookedFor least_circle(const CircleGround& ground, const BaseMoment& moment, con
   const std::optional<GroundLoads> loads = loads_of(ground, moment, pressure);
   if (!loads) return found;
   for (const SlipsTo slips : {SlipsTo::right, SlipsTo::left}) {
-    const double side = slips == SlipsTo::right ? 1. : -1.;
-    if (side * moment.shear < 0. && side * moment.moment < 0.) continue;
+    if (!may_slip(moment, slips)) continue;
     const CircleSearch search =
         search_circles(ground.section, *loads, slips, range_beside(ground, *loads->strip), options);
     found.counts.tried += search.tried;
@@ -172,17 +79,6 @@ LookedFor least_circle(const CircleGround& ground, const BaseMoment& moment, con
   return found;
 }
 
-/// Points a 40th of the base's width apart.
-PointGrid grid_of(const CircleGround& ground) {
-  double low = ground.level, high = ground.level;
-  for (int i = 0; i <= 100; ++i)
-    high = std::max(high, ground.section.surface(ground.from + (ground.to - ground.from) * i / 100.).value_or(low));
-  const double B = ground.right - ground.left;
-  low -= widths_beside * B;
-  const auto points = [B](double length) { return 2 + static_cast<int>(40. * length / B); };
-  return {{ground.from, ground.to}, {low, high}, {points(ground.to - ground.from), points(high - low)}};
-}
-
 struct CirclesFound {
   std::optional<SlipCircles> circles;
   std::string why_not;
@@ -190,11 +86,8 @@ struct CirclesFound {
 
 /// Why there is nothing to look for; "" where there is.
 std::string why_no_search(const Evidence& e) {
-  const Scene& scene = e.scene;
-  if (!e.simulation.compiled()->caisson) return "there is no caisson";
-  if (std::none_of(scene.regions.begin(), scene.regions.end(), [](const auto& r) { return r.second.strength; }))
-    return "no region has a table strength";
-  if (is_shaken(scene)) return "a motion shakes the ground, and slices have no inertia";
+  const std::string why = why_no_circles_in(e.simulation);
+  if (!why.empty()) return why;
   if (!e.of(find_effective_base)) return "the caisson's weight in water is not known, see `base`";
   return "";
 }
@@ -284,7 +177,7 @@ CirclesFound look_for_circles(const Evidence& e) {
   Counts counts = at_rest.counts;
   circles.at_rest = at_rest.least;
   std::optional<PressureMap> map;
-  if (e.solution.pressures) map.emplace(e.solution, grid_of(ground));
+  if (e.solution.pressures) map.emplace(e.simulation, *e.solution.pressures, grid_of(ground));
   look_in_motion(e, ground, map, circles, counts);
   circles.uncut = uncut_regions(ground.section);
   circles.share_steep = counts.tried > 0 ? static_cast<double>(counts.steep) / counts.tried : 0.;

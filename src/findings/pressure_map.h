@@ -19,10 +19,15 @@ struct PointGrid {
   }
 };
 
-/// Excess pore pressure of a solution with PressureModel, which must outlive this.
+/// Excess pore pressure (Pa) at points, per velocity of each coordinate of the basis, a row for each point; zeros where
+/// a point is not in pore water.
+Eigen::MatrixXd pressure_readings(const Simulation& simulation, const FieldBasis& basis,
+                                  const std::vector<std::array<double, 2>>& points);
+
+/// Excess pore pressure under the loads of a scene, by its PressureModel, which must outlive this.
 class PressureMap {
  public:
-  PressureMap(const Solution& solution, const PointGrid& grid);
+  PressureMap(const Simulation& simulation, const PressureModel& model, const PointGrid& grid);
 
   /// Excess pressure (Pa) at (x, y) at the computed time next to `time`, linear between the points of the grid that are
   /// in pore water; 0 where none is near.
