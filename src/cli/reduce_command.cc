@@ -103,7 +103,8 @@ std::string describe(const Reduced& made) {
           " of their own largest value (by nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += describe(made.nested);
-  text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip) + describe(made.circles);
+  text +=
+      "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip) + describe(made.circles);
   for (const Skipped& part : made.skipped) text += "skipped     " + part.what + ": " + part.why + "\n";
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";

@@ -222,12 +222,12 @@ NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
   const auto factor = [](const Named& row) { return row.wave->circle ? row.wave->circle->factor : HUGE_VAL; };
   const auto n = std::count_if(waves.begin(), waves.end(), [&](const Named& row) { return factor(row) < 1.; });
   if (n == 0) return {};
-  const Named& worst =
-      *std::min_element(waves.begin(), waves.end(), [&](const Named& a, const Named& b) { return factor(a) < factor(b); });
+  const Named& worst = *std::min_element(waves.begin(), waves.end(),
+                                         [&](const Named& a, const Named& b) { return factor(a) < factor(b); });
   return {{"slip_circle", factor(worst), 1., "1",
            "in " + std::to_string(n) + " of " + std::to_string(waves.size()) +
-               " waves the ground under the caisson would slip on a circle, worst in " + worst.name + ": F = " +
-               circle_text(worst.wave->circle) + " by Bishop's simplified method",
+               " waves the ground under the caisson would slip on a circle, worst in " + worst.name +
+               ": F = " + circle_text(worst.wave->circle) + " by Bishop's simplified method",
            "widen the caisson or its berm, or give the mound more height; a factor below 1 of a moment is a permanent "
            "displacement and not yet a collapse"}};
 }
@@ -359,8 +359,7 @@ int respond(const Arguments& arguments, const RespondCases& cases, const Stopwat
     place.emplace(out);
   };
   if (makes_model) open_folder();
-  const ReducedModelFile model =
-      makes_model ? cases.model(arguments.model, *place) : read_model_file(arguments.model);
+  const ReducedModelFile model = makes_model ? cases.model(arguments.model, *place) : read_model_file(arguments.model);
   const RespondOptions options{arguments.end, sliding_of(arguments, model)};
   const std::vector<WaveFile> waves = waves_of(arguments, cases, model);
   timing.read = since_start.seconds();
@@ -375,9 +374,8 @@ int respond(const Arguments& arguments, const RespondCases& cases, const Stopwat
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
   NumberedWarnings warnings = file_warnings(waves);
-  for (const NumberedWarnings& more :
-       {band_warnings(model, responses), error_warnings(model, responses), slip_warnings(responses),
-        circle_warnings_of(responses)})
+  for (const NumberedWarnings& more : {band_warnings(model, responses), error_warnings(model, responses),
+                                       slip_warnings(responses), circle_warnings_of(responses)})
     append(warnings, more);
   const std::string json = to_json(model, arguments.model, responses, timing, warnings);
   folder.write("summary.json", json);
@@ -386,8 +384,7 @@ int respond(const Arguments& arguments, const RespondCases& cases, const Stopwat
   std::cerr << notes_of(waves) << describe(warnings);
   std::cout << (arguments.json ? json
                                : describe(model, responses, timing) + "written     " + folder.name() +
-                                     "/{responses.h5, summary.json" +
-                                     (makes_model ? ", reduced.h5}\n" : "}\n"));
+                                     "/{responses.h5, summary.json" + (makes_model ? ", reduced.h5}\n" : "}\n"));
   return 0;
 }
 
@@ -419,10 +416,11 @@ Command respond_command(const RespondCases& cases) {
   const auto arguments = std::make_shared<Arguments>();
   Command command{"respond", "answer any number of waves with a reduced model"};
   command.options = {
-      {"MODEL", &arguments->model, "the model, made by 'upbead reduce' (.h5), or a case (.toml), which is reduced first",
-       "", true},
-      {"FORCES", &arguments->forces, "waves (.csv, .h5), or cases whose loads are a wave (.toml); of a case as MODEL its "
-                                     "own loads, where none are given"},
+      {"MODEL", &arguments->model,
+       "the model, made by 'upbead reduce' (.h5), or a case (.toml), which is reduced first", "", true},
+      {"FORCES", &arguments->forces,
+       "waves (.csv, .h5), or cases whose loads are a wave (.toml); of a case as MODEL its "
+       "own loads, where none are given"},
       {"--json", &arguments->json, "print the summary as JSON on stdout and nothing else"},
       {"--out", &arguments->out,
        "folder for the results (default: results/NAME-respond, NAME as the model's file, or as its folder if the file "

@@ -183,7 +183,9 @@ OutputSchema<WaysOfLives> ways_of_lives_outputs() {
       .object("toe_pressure", &W::toe_pressure, worst_of_lives_outputs("Pa", "above"), "the same of the seaward edge")
       .object("circles", &W::circles, worst_of_lives_outputs("", "below"),
               "least factor of slip circles under the caisson in a life; `limit`: `limits.circles`, or 1")
-      .key("waves", &W::waves, "", "answered for that, in all lives");
+      .key("waves", &W::waves, "", "answered for that, in all lives")
+      .key("lower_worse", &W::lower_worse, "",
+           "largest share by which a factor under a lower wave of some of the seas is below that under the highest");
 }
 
 Json probabilities(const MonteCarlo& found) {

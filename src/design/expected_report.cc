@@ -93,7 +93,8 @@ std::string describe(const BaseOfLives& base) {
 /// Of those ways that only lives with slip circles know.
 std::string describe(const WaysOfLives& ways) {
   return "  every way to fail, under the worst wave of each storm (" + significant(ways.waves, 6) +
-         " waves answered); the least of a life:\n" + describe("circles", ways.circles, margin_text, "below") +
+         " waves answered; a lower one is up to " + significant(100. * ways.lower_worse, 2) +
+         " % less safe); the least of a life:\n" + describe("circles", ways.circles, margin_text, "below") +
          describe("mu N'/F_T", ways.sliding, margin_text, "below") +
          describe("seaward", ways.sliding_seaward, margin_text, "below") +
          describe("overturning", ways.overturning, margin_text, "below");
@@ -208,8 +209,7 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
     datasets.push_back(some_of_base("lives/ways/sliding_factor", "1", "mu N'/F_T, " + least, ways.sliding.values));
     datasets.push_back(
         some_of_base("lives/ways/sliding_factor_seaward", "1", "the same seaward", ways.sliding_seaward.values));
-    datasets.push_back(
-        some_of_base("lives/ways/overturning_margin", "1", "margin, " + least, ways.overturning.values));
+    datasets.push_back(some_of_base("lives/ways/overturning_margin", "1", "margin, " + least, ways.overturning.values));
   }
   return dataset_file(design.tables.title, datasets);
 }

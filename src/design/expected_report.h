@@ -74,6 +74,8 @@ struct BaseOfLives {
 struct WaysOfLives {
   WorstOfLives sliding, sliding_seaward, overturning, heel_pressure, toe_pressure, circles;
   double waves = 0.;  ///< answered, in all lives
+  /// The largest share by which a factor under a lower wave of some of the seas is below that under the highest.
+  double lower_worse = 0.;
 };
 
 struct MonteCarlo {

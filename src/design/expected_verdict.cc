@@ -89,8 +89,8 @@ void add_ways(const MonteCarlo& lives, const std::string& key, const Limits& lim
     const Check check = check_of(name + ", of a life", "", number_or_none(median(worst)), key + ".ways." + measure,
                                  of_half + "; below " + significant(worst.beyond->limit) + " in " +
                                      significant(100. * worst.beyond->probability, 3) + " % of the lives");
-    list.push_back(routed(check.demand ? at_least_as(check, limit) : not_checked(check, "nothing acts that way"),
-                          lives.law));
+    list.push_back(
+        routed(check.demand ? at_least_as(check, limit) : not_checked(check, "nothing acts that way"), lives.law));
   };
   add("slip circles", lives.ways->circles, "circles", limits.circles);
   add("friction over F_T", lives.ways->sliding, "sliding_factor", {});

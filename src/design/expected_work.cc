@@ -175,23 +175,36 @@ void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Li
               worst_of_lives(found, &WorstBase::overturning_margin, limits.overturning, -1.)};
 }
 
-/// Every way to fail in a life: the storms by what their worst wave does to the base by Goda's formulas, the worst
-/// first, until several in a row have changed nothing.
+/// Every way to fail in a life: under the worst wave of each storm by Goda's formulas; of very many storms under those
+/// of the worst.
 WaysToFail ways_of_life(const Laws& laws, std::vector<DrawnWave> storms, const WaysToFail& at_rest, double& answered) {
-  constexpr int in_vain = 6;
+  constexpr std::size_t most = 200;
   std::sort(storms.begin(), storms.end(), [](const DrawnWave& a, const DrawnWave& b) {
     return a.heel_pressure != b.heel_pressure ? a.heel_pressure > b.heel_pressure : a.height > b.height;
   });
+  storms.resize(std::min(storms.size(), most));
   WaysToFail worst = at_rest;
-  int vain = 0;
-  for (const DrawnWave& wave : storms) {
-    if (vain == in_vain) break;
-    const WaysToFail now = worst_of(worst, laws.ways(wave));
-    vain = now == worst ? vain + 1 : 0;
-    worst = now;
-    answered += 1.;
-  }
+  for (const DrawnWave& wave : storms) worst = worst_of(worst, laws.ways(wave));
+  answered = static_cast<double>(storms.size());
   return worst;
+}
+
+/// The largest share by which a lower wave of these seas is less safe than the highest that may come.
+double lower_worse(const Laws& laws, const DesignTables& tables, const std::vector<SeaState>& seas) {
+  constexpr int n_heights = 24;
+  constexpr std::size_t most_seas = 12;
+  std::vector<double> share(std::min(seas.size(), most_seas), 0.);
+  in_parallel(share.size(), "looking at lower waves", [&](std::size_t i) {
+    const StateAnswer sea = answer_of(tables, seas[i * seas.size() / share.size()]);
+    const double highest = sea.heights.height(0.1 / std::max(sea.state.waves, 1.));
+    std::vector<WaysToFail> ways;
+    for (int n = 1; n <= n_heights; ++n) ways.push_back(laws.ways({sea.state, highest * n / n_heights, {}}));
+    for (const WaysToFail& lower : ways)
+      for (double WaysToFail::*factor : {&WaysToFail::circles, &WaysToFail::sliding, &WaysToFail::overturning})
+        if (lower.*factor < ways.back().*factor && lower.*factor > 0. && std::isfinite(ways.back().*factor))
+          share[i] = std::max(share[i], ways.back().*factor / lower.*factor - 1.);
+  });
+  return share.empty() ? 0. : *std::max_element(share.begin(), share.end());
 }
 
 /// The lives, and every way to fail in each where `ways` has room for them.
@@ -218,7 +231,8 @@ WaysOfLives ways_of_lives(const Limits& limits, const std::vector<WaysToFail>& w
           worst_of_lives(ways, &W::heel_pressure, limits.dynamic_base_pressure),
           worst_of_lives(ways, &W::toe_pressure, limits.dynamic_base_pressure),
           worst_of_lives(ways, &W::circles, limits.circles.value_or(stands), -1.),
-          std::accumulate(answered.begin(), answered.end(), 0.)};
+          std::accumulate(answered.begin(), answered.end(), 0.),
+          0.};
 }
 
 MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
@@ -251,7 +265,10 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
   std::vector<WaysToFail> ways(setup.worst_of_storms ? n : 0);
   std::vector<double> answered(n, 0.);
   const std::vector<Life> lives = lives_of(simulation, laws, n, ways, answered);
-  if (!ways.empty()) out.ways = ways_of_lives(tables.limits, ways, answered);
+  if (!ways.empty()) {
+    out.ways = ways_of_lives(tables.limits, ways, answered);
+    out.ways->lower_worse = lower_worse(laws, tables, tables.storms ? typical_storms(design) : record);
+  }
   add_base(tables, laws, lives, out);
   out.seconds = watch.seconds();
   for (const Life& life : lives) {

@@ -54,12 +54,9 @@ bool operator==(const WaysToFail& a, const WaysToFail& b) {
 }
 
 WaysToFail worst_of(const WaysToFail& a, const WaysToFail& b) {
-  return {std::min(a.sliding, b.sliding),
-          std::min(a.sliding_seaward, b.sliding_seaward),
-          std::min(a.overturning, b.overturning),
-          std::max(a.heel_pressure, b.heel_pressure),
-          std::max(a.toe_pressure, b.toe_pressure),
-          std::min(a.circles, b.circles)};
+  return {std::min(a.sliding, b.sliding),           std::min(a.sliding_seaward, b.sliding_seaward),
+          std::min(a.overturning, b.overturning),   std::max(a.heel_pressure, b.heel_pressure),
+          std::max(a.toe_pressure, b.toe_pressure), std::min(a.circles, b.circles)};
 }
 
 namespace {

@@ -17,8 +17,8 @@ namespace upbead {
 namespace {
 
 constexpr int slices_of_family = 40;
-constexpr double next_width = 0.87, least_width = 0.05;  // of one level to the one before, of the last to the base
-constexpr double largest_scale = 2.;                     // of the scene's own wave
+constexpr double width_step = 0.035;  // between levels, of the base: arcs are far longer than the effective width
+constexpr double largest_scale = 2.;  // of the scene's own wave
 const SearchOptions of_family{30, 100, {8, 14, 10}, 3};
 
 /// The scene's own wave: what it changes of the base's load over time, which grows with the wave.
@@ -112,17 +112,25 @@ std::size_t time_of_largest(const std::vector<double>& values, double side) {
   return best;
 }
 
+/// Effective widths over that of the base.
+std::vector<double> levels() {
+  std::vector<double> widths;
+  for (double width = 1.; width > width_step; width -= width_step) widths.push_back(width);
+  for (const double last : {0.4, 0.1}) widths.push_back(last * width_step);
+  return widths;
+}
+
 /// The circles one way: under the wave at its largest moment and at its largest F_T that way.
 void add_circles(Making& making, SlipsTo slips) {
   const double side = slips == SlipsTo::right ? 1. : -1.;
   const OwnWave& own = making.own;
   add_circle(making, own.rest, {}, slips);
   const std::size_t most_moment = time_of_largest(own.moment, side), most_shear = time_of_largest(own.shear, side);
-  bool both = true;  // every other width for the second moment
-  for (double width = 1.; width >= least_width; width *= next_width, both = !both)
+  const std::vector<double> widths = levels();
+  for (std::size_t level = 0; level < widths.size(); ++level)
     for (const std::size_t i : {most_moment, most_shear}) {
-      if (i == most_shear && (!both || most_shear == most_moment)) continue;
-      const auto scale = scale_for(own, i, side * 0.5 * (1. - width) * making.width());
+      if (i == most_shear && (level % 3 != 0 || most_shear == most_moment)) continue;
+      const auto scale = scale_for(own, i, side * 0.5 * (1. - widths[level]) * making.width());
       if (!scale) continue;
       const BaseMoment moment = own.at(i, *scale);
       add_circle(making, moment, i == most_moment ? scaled_pressure(making.map, moment, *scale) : PressureAt(), slips);

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "upbead/dynamics/reduce.h"
-#include "upbead/rupture/circle_family.h"
 #include "upbead/run/simulation.h"
+#include "upbead/rupture/circle_family.h"
 
 namespace upbead {
 
@@ -16,10 +16,10 @@ struct CircleModelMade {
   double seconds = 0.;
 };
 
-/// A circle for each of a row of effective widths of the base, from all of it down to a 20th, both ways as far as
-/// waves twice the scene's own come: the least one under the scene's own wave, scaled so that its load stands on that
-/// width, by the pore pressure computed and by that of still water. Its gap is found by full searches under that wave
-/// scaled. `reduction`: of the scene bonded, with pressures kept.
+/// A circle for each of some thirty effective widths of the base, from all of it down to nearly nothing, both ways as
+/// far as waves twice the scene's own come: the least one under the scene's own wave, scaled so that its load stands on
+/// that width, by the pore pressure computed and by that of still water. Its gap is found by full searches under that
+/// wave scaled. `reduction`: of the scene bonded, with pressures kept.
 CircleModelMade circle_model(const Simulation& simulation, const Reduction& reduction);
 
 /// The readings of a family (circle_family.h) as those of a reduced scene.

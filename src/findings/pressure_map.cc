@@ -96,7 +96,8 @@ PressureMap::PressureMap(const Simulation& simulation, const PressureModel& mode
       int& row = row_[static_cast<std::size_t>(point)];
       if (row >= 0) return;
       row = n_rows++;
-      for (const auto& [at, weight] : pressure_in(simulation, cell, unit, column)) entries.emplace_back(row, at, weight);
+      for (const auto& [at, weight] : pressure_in(simulation, cell, unit, column))
+        entries.emplace_back(row, at, weight);
     });
   }
   rows_.resize(n_rows, static_cast<Eigen::Index>(model.basis.unknown.size()));

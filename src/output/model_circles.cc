@@ -108,7 +108,8 @@ std::optional<CircleModel> read_circles(ModelParts& parts, const std::vector<std
   model.gap = base[3];
   if (!(base[0] < base[1]) || base[3] < 0.)
     parts.wrong(circles_group + "/base holds ends that are not in their order, or a gap below 0");
-  const Numbers circles = parts.numbers(circles_group + "/circle", {parts.length(circles_group + "/circle"), of_circle});
+  const Numbers circles =
+      parts.numbers(circles_group + "/circle", {parts.length(circles_group + "/circle"), of_circle});
   const Numbers slices = parts.numbers(circles_group + "/slice", {parts.length(circles_group + "/slice"), of_slice});
   model.family.circles = circles_of(parts, circles, slices);
   if (model.family.circles.empty()) parts.wrong(circles_group + " holds no circle");

@@ -197,7 +197,8 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
         std::any_of(file.waves.begin(), file.waves.end(), [](const WaveResponse& wave) { return !!wave.circle; });
     for (const OutputRow& row : wave_outputs().rows()) {
       const bool absent = is_of_ground(row) ? !has_circles
-                          : is_of_slip(row) ? !slips : may_be_absent(row) && waves.front().at(row.path).is_null();
+                          : is_of_slip(row) ? !slips
+                                            : may_be_absent(row) && waves.front().at(row.path).is_null();
       if (row.is_number && !absent) write_column(image, "/" + file.name, waves, row);
     }
   }

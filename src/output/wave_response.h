@@ -25,9 +25,10 @@ struct CoupledWave {
 
 /// The least safe circle of a model's family in a wave.
 struct CircleInWave {
-  double factor = 0.;  ///< F by Bishop's simplified method; 0 where the resultant leaves the base, then without a circle
-  double time = 0.;    ///< s
-  std::string slips, by;                         ///< landward or seaward; still or computed pore pressure
+  double factor =
+      0.;            ///< F by Bishop's simplified method; 0 where the resultant leaves the base, then without a circle
+  double time = 0.;  ///< s
+  std::string slips, by;                          ///< landward or seaward; still or computed pore pressure
   std::optional<std::array<double, 2>> centre{};  ///< m
   std::optional<double> radius{}, from{}, to{};   ///< of the circle, and x of its ends (m)
   double force = 0., shear = 0., moment = 0.;     ///< N', F_T (N/m), M' (N m/m) then

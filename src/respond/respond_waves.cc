@@ -136,7 +136,7 @@ class BaseAnswer {
 
   /// `prescribed`: an uplift in addition to the computed one; empty: none.
   EffectiveBase answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
-                      const Eigen::RowVectorXd& prescribed) const {
+                       const Eigen::RowVectorXd& prescribed) const {
     const auto of = [&](const OneReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
     const Eigen::RowVectorXd N = of(normal_), M = of(moment_);
     Eigen::RowVectorXd U = of(uplift_), M_U = of(uplift_moment_);
@@ -289,8 +289,8 @@ class FileWork {
     out.why_not_coupled = std::move(slip.why_not);
   }
 
-  void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& F,
-                bool batch, WaveResponse& out) const {
+  void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& F, bool batch,
+                WaveResponse& out) const {
     const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed);
     if (circles_) out.circle = circles_->answer(loads, grid_, batch, base, F);
     if (!options_.sliding) return;

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-
 namespace upbead::test {
 namespace readings_at_test {
 

@@ -49,7 +49,8 @@ TEST(ModelCircles, AreRefusedWhereTheyCannotBe) {
   using M = CircleModel;
   EXPECT_EQ(refusal([](M&) {}), "");
   const auto slice = [](M& m) -> FamilySlice& { return m.family.circles[1].slices[1]; };
-  EXPECT_TRUE(says(refusal([](M& m) { m.family.circles[0].radius = 0.; }), "circle 0 has a radius that is not above 0"));
+  EXPECT_TRUE(
+      says(refusal([](M& m) { m.family.circles[0].radius = 0.; }), "circle 0 has a radius that is not above 0"));
   EXPECT_TRUE(says(refusal([](M& m) { m.family.circles[0].from = 99.; }), "ends that are not in their order"));
   EXPECT_TRUE(says(refusal([&](M& m) { slice(m).width *= 2.; }), "slices that do not stand side by side"));
   EXPECT_TRUE(says(refusal([&](M& m) { slice(m).sine = 0.9; }), "a slope that is no angle"));

@@ -58,15 +58,14 @@ double by_readings(const SlipCircleFound& c, bool computed) {
   family.right = family.left + caisson.bottom_width;
   family.level = caisson.bottom_centre[1];
   const SlipsTo slips = c.slips == "landward" ? SlipsTo::right : SlipsTo::left;
-  family.circles.push_back(*family_circle(ground_section(simulation), {}, {c.centre[0], c.centre[1], c.radius}, slips,
-                                          c.from, c.to, 40));
+  family.circles.push_back(
+      *family_circle(ground_section(simulation), {}, {c.centre[0], c.centre[1], c.radius}, slips, c.from, c.to, 40));
   const BaseLoad load{c.force, c.shear, c.moment};
   if (!computed) return *factor_of(family, 0, load, nullptr);
   const ModalModel model = circle_readings(family, simulation, *made().reduction.pressures);
   const SampledLoads loads = sampled_loads(simulation.scene(), simulation.compiled()->system);
-  const auto at = std::min_element(loads.time.begin(), loads.time.end(), [&](double a, double b) {
-    return std::abs(a - *c.time) < std::abs(b - *c.time);
-  });
+  const auto at = std::min_element(loads.time.begin(), loads.time.end(),
+                                   [&](double a, double b) { return std::abs(a - *c.time) < std::abs(b - *c.time); });
   const Eigen::MatrixXd readings = respond_at(model, loads, {static_cast<std::size_t>(at - loads.time.begin())});
   return *factor_of(family, 0, load, readings.data());
 }

@@ -46,8 +46,7 @@ Sample sample(const GroundSection& section, int slices) {
   for (const SlipsTo slips : {SlipsTo::right, SlipsTo::left})
     for (const double from : {-10., 0., 4.}) {
       const double a = slips == SlipsTo::right ? from : -21., b = slips == SlipsTo::right ? 21. : -from;
-      const FamilyCircle circle =
-          *family_circle(section, {}, circle_through(section, a, b, 0.35), slips, a, b, slices);
+      const FamilyCircle circle = *family_circle(section, {}, circle_through(section, a, b, 0.35), slips, a, b, slices);
       double moment = 0.;
       for (const SliceReading& r : readings_of(section, circle)) {
         list.push_back(pressure(r.surface[0], r.surface[1]) - pressure(r.base[0], r.base[1]));

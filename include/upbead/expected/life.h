@@ -80,7 +80,7 @@ struct LifeSetup {
   Uncertainties uncertain;
   LawMaker law;  ///< for a sea state as drawn
   std::uint64_t seed = 1;
-  bool every_wave = false;  ///< draw also the waves that cannot slide: much slower, for tests
+  bool every_wave = false;       ///< draw also the waves that cannot slide: much slower, for tests
   bool worst_of_storms = false;  ///< keep Life::worst_of_storms
 };
 
