@@ -78,7 +78,9 @@ void add_base(const SeaState& sea, const SlidingLaw& law, double height, const W
   const WorstBase base = forces->base(height, factors);
   if (!life.base || base.heel_pressure > life.base->heel_pressure)
     life.most_tilting = {sea, height, factors, base.heel_pressure};
-  if (of_storm.height == 0. || base.heel_pressure > of_storm.heel_pressure)
+  const bool as_high = base.heel_pressure == of_storm.heel_pressure;  // both without bound
+  if (of_storm.height == 0. || base.heel_pressure > of_storm.heel_pressure ||
+      (as_high && height * factors.force > of_storm.height * of_storm.factors.force))
     of_storm = {sea, height, factors, base.heel_pressure};
   life.base = life.base ? worst_of(*life.base, base) : base;
 }

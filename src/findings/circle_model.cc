@@ -17,7 +17,7 @@ namespace upbead {
 namespace {
 
 constexpr int slices_of_family = 40;
-constexpr double width_step = 0.035;  // between levels, of the base: arcs are far longer than the effective width
+constexpr double width_step = 0.05;   // between levels, of the base: arcs are far longer than the effective width
 constexpr double largest_scale = 2.;  // of the scene's own wave
 const SearchOptions of_family{30, 100, {8, 14, 10}, 3};
 

@@ -20,7 +20,7 @@ CircleFamily family() {
   f.right = 6.;
   for (const bool landward : {true, false})
     for (const double away : {-6.5, 1.5}) {
-      const double from = landward ? away : -16., to = landward ? 16. : -away, x = 0.5 * (from + to), y = 3.;
+      const double from = landward ? away : -16., to = landward ? 16. : -away, x = 0.5 * (from + to), y = 12.;
       FamilyCircle c{x, y, std::hypot(to - x, y), from, to, landward, 0., {}};
       const int n = 40;
       for (int i = 0; i < n; ++i) {
@@ -76,8 +76,8 @@ TEST(Ways, OfARigidCaissonAreStatics) {
   EXPECT_NEAR(ways.overturning, law.base(8.)->overturning_margin, 1e-12);
   const CircleFamily circles = family();
   const std::vector<double> readings(circles.n_readings(), 3e-3 * P);
-  const double still = least_factor(circles, {N, P, M}, nullptr)->factor;
-  const double computed = least_factor(circles, {N, P, M}, readings.data())->factor;
+  const double still = least_factor(circles, {N, P, M}, nullptr).value().factor;
+  const double computed = least_factor(circles, {N, P, M}, readings.data()).value().factor;
   EXPECT_GT(std::abs(still - computed), 1e-3 * still);
   EXPECT_NEAR(ways.circles, std::min(still, computed), 1e-9 * still);
 }
@@ -122,7 +122,8 @@ TEST(Ways, KnowTheWorstWaveOfEachStorm) {
         highest = std::max(highest, wave.height);
       }
       EXPECT_EQ(most, life.most_tilting.heel_pressure);
-      EXPECT_EQ(highest, life.most_tilting.height);
+      EXPECT_GE(highest, life.most_tilting.height);
+      if (std::isfinite(most)) EXPECT_EQ(highest, life.most_tilting.height);
       EXPECT_GT(life.worst_of_storms[0].height, life.worst_of_storms[2].height);
     }
   }

@@ -59,10 +59,12 @@ Sample sample(const GroundSection& section, int slices) {
   return s;
 }
 
-TEST(CircleFamily, HasTheFactorsOfItsCirclesByThemselves) {
+/// Largest difference from the circles by themselves, relative.
+double difference(int n_slices) {
   const GroundSection section = mound_on_sand();
-  const Sample s = sample(section, 40);
-  ASSERT_EQ(s.family.n_readings(), static_cast<std::size_t>(s.readings.size()));
+  const Sample s = sample(section, n_slices);
+  double most = 0.;
+  EXPECT_EQ(s.family.n_readings(), static_cast<std::size_t>(s.readings.size()));
   int compared = 0;
   for (const double e : {0., 3.3, 5.1, 7.2, -4.7})
     for (const bool pressed : {false, true}) {
@@ -77,13 +79,19 @@ TEST(CircleFamily, HasTheFactorsOfItsCirclesByThemselves) {
         readings += c.n_readings();
         const FigureSafety whole = circle_safety(section, loads, {c.x, c.y, c.radius},
                                                  c.landward ? SlipsTo::right : SlipsTo::left, c.from, c.to, 4000);
-        ASSERT_EQ(factor.has_value(), whole.why == NoFactor::none) << e << ' ' << i;
+        EXPECT_EQ(factor.has_value(), whole.why == NoFactor::none) << e << ' ' << i;
         if (!factor) continue;
-        EXPECT_NEAR(*factor, whole.factor, 4e-3 * whole.factor) << e << ' ' << i << ' ' << pressed;
+        most = std::max(most, std::abs(*factor / whole.factor - 1.));
         ++compared;
       }
     }
   EXPECT_GT(compared, 15);
+  return most;
+}
+
+TEST(CircleFamily, HasTheFactorsOfItsCirclesByThemselves) {
+  EXPECT_LT(difference(40), 1e-2) << "as many slices as in a model";
+  EXPECT_LT(difference(1000), 1e-3);
 }
 
 TEST(CircleFamily, ConvergesWithItsSlices) {
