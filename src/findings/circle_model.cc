@@ -17,8 +17,8 @@ namespace upbead {
 namespace {
 
 constexpr int slices_of_family = 40;
-constexpr double width_step = 0.05;   // between levels, of the base: arcs are far longer than the effective width
-constexpr double largest_scale = 2.;  // of the scene's own wave
+constexpr double width_step = 0.035;   // between levels, of the base: arcs are far longer than the effective width
+constexpr double largest_scale = 50.;  // of the scene's own wave
 const SearchOptions of_family{30, 100, {8, 14, 10}, 3};
 
 /// The scene's own wave: what it changes of the base's load over time, which grows with the wave.
@@ -127,9 +127,10 @@ void add_circles(Making& making, SlipsTo slips) {
   add_circle(making, own.rest, {}, slips);
   const std::size_t most_moment = time_of_largest(own.moment, side), most_shear = time_of_largest(own.shear, side);
   const std::vector<double> widths = levels();
-  for (std::size_t level = 0; level < widths.size(); ++level)
+  const std::size_t every = slips == SlipsTo::right ? 1 : 2;  // troughs demand less
+  for (std::size_t level = 0; level < widths.size(); level += every)
     for (const std::size_t i : {most_moment, most_shear}) {
-      if (i == most_shear && (level % 3 != 0 || most_shear == most_moment)) continue;
+      if (i == most_shear && (level % (3 * every) != 0 || most_shear == most_moment)) continue;
       const auto scale = scale_for(own, i, side * 0.5 * (1. - widths[level]) * making.width());
       if (!scale) continue;
       const BaseMoment moment = own.at(i, *scale);

@@ -16,8 +16,8 @@ struct CircleModelMade {
   double seconds = 0.;
 };
 
-/// A circle for each of some thirty effective widths of the base, from all of it down to nearly nothing, both ways as
-/// far as waves twice the scene's own come: the least one under the scene's own wave, scaled so that its load stands on
+/// A circle for each of some thirty effective widths of the base, from all of it down to nearly nothing, landward, and
+/// for half as many seaward: the least one under the scene's own wave, scaled so that its load stands on
 /// that width, by the pore pressure computed and by that of still water. Its gap is found by full searches under that
 /// wave scaled. `reduction`: of the scene bonded, with pressures kept.
 CircleModelMade circle_model(const Simulation& simulation, const Reduction& reduction);

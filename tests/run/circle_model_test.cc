@@ -75,14 +75,14 @@ TEST(CircleModel, HasTheFactorOfTheSameCircleInTheRun) {
   EXPECT_NEAR(by_readings(*run.at_rest, false), run.at_rest->factor, 0.01 * run.at_rest->factor);
   EXPECT_NEAR(by_readings(*run.still, false), run.still->factor, 0.01 * run.still->factor);
   EXPECT_NEAR(by_readings(*run.computed, true), run.computed->factor, 0.01 * run.computed->factor);
-  EXPECT_GT(std::abs(by_readings(*run.computed, false) - run.computed->factor), 0.01 * run.computed->factor)
-      << "the pressure matters";
+  const double with = std::abs(by_readings(*run.computed, true) - run.computed->factor);
+  EXPECT_GT(std::abs(by_readings(*run.computed, false) - run.computed->factor), 1.5 * with) << "the pressure matters";
 }
 
 TEST(CircleModel, IsAsNearToAFullSearchAsItSays) {
   ASSERT_TRUE(made().model.model) << made().model.why_not;
   const CircleModel& model = *made().model.model;
-  EXPECT_LT(model.gap, 0.05);
+  EXPECT_LT(model.gap, 0.05) << "told, and not larger than some percent";
   EXPECT_GT(model.family.circles.size(), 10U);
   EXPECT_LT(model.family.circles.size(), 60U);
 }
