@@ -123,7 +123,9 @@ TEST(Ways, KnowTheWorstWaveOfEachStorm) {
       }
       EXPECT_EQ(most, life.most_tilting.heel_pressure);
       EXPECT_GE(highest, life.most_tilting.height);
-      if (std::isfinite(most)) EXPECT_EQ(highest, life.most_tilting.height);
+      if (std::isfinite(most)) {
+        EXPECT_EQ(highest, life.most_tilting.height);
+      }
       EXPECT_GT(life.worst_of_storms[0].height, life.worst_of_storms[2].height);
     }
   }
