@@ -97,6 +97,26 @@ TableSchema<InitialState> initial_schema() {
   return table;
 }
 
+TableSchema<ConstructionStage> construction_schema() {
+  TableSchema<ConstructionStage> table;
+  table.key("order", &ConstructionStage::order, "", "place among the stages; the first is the ground as it is found")
+      .range(at_least(0.))
+      .required();
+  table
+      .key("regions", &ConstructionStage::regions, "",
+           "regions that appear in this stage, without stress, on what stands already; water is always there")
+      .fallback("none");
+  table
+      .key("caisson_share", &ConstructionStage::caisson_share, "",
+           "share of the caisson's weight in air that stands from this stage on; an empty caisson has less than 1, and "
+           "a later stage fills it")
+      .range(above(0.))
+      .fallback("as before; all of a new caisson");
+  table.key("water_level", &ConstructionStage::water_level, "m", "height y of still water in this stage")
+      .fallback("that before the waves");
+  return table;
+}
+
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
   table.key("end", &TimeChoice::end, "s", "end of the computed time")
@@ -201,6 +221,11 @@ TableSchema<CaseTables> case_schema() {
       .doc("The breakwater's cross-section for loads by waves, as in a design; [sliding] takes mu and W' from it.");
   table.table("initial", &CaseTables::initial, initial_schema())
       .doc("The state before the waves, for soils whose stiffness depends on stress.");
+  table.tables("construction", &CaseTables::construction, construction_schema())
+      .doc(
+          "Stages in which the section is built, by name, in their `order`; each drained. Stresses at rest are then "
+          "those after the last stage, and settlement per stage is a result; without stages all weights are put on at "
+          "once.");
   table.table("time", &CaseTables::time, time_schema());
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");

@@ -121,7 +121,7 @@ void find_stiffness(const Mesh& mesh, ResolvedScene& resolved) {
     for (const auto& cell : mesh.triangulation.active_cell_iterators())
       if (mesh.surface_of(cell) == name) {
         G.add(stage.shear_modulus[cell->active_cell_index()]);
-        p.add(stage.stress.mean(cell->active_cell_index(), k0_of(resolved.scene)));
+        p.add(stage.stress.mean(cell->active_cell_index(), k0_to_apply(resolved.scene)));
       }
     region.shear_modulus = G.largest;
     resolved.decisions.push_back(
@@ -152,6 +152,16 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
                                     " m/s do not come there and back within " + significant(resolved.scene.time.end) +
                                     " s",
                                 cells});
+}
+
+void tell_construction(ResolvedScene& resolved) {
+  if (resolved.scene.construction.empty()) return;
+  std::string stages;
+  for (const std::string& name : stages_in_order(resolved.scene)) stages += (stages.empty() ? "" : ", then ") + name;
+  resolved.decisions.push_back({"", "construction", stages,
+                                "stresses at rest come of these stages, each drained; settlement by them is not that "
+                                "of the waves",
+                                "pore pressure of construction and its consolidation over time"});
 }
 
 }  // namespace
@@ -214,6 +224,7 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
     if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
       resolved.decisions.push_back(tell_damping(name, *region.damping));
   }
+  tell_construction(resolved);
   leave_out_idle_water(outline, mesh, resolved);
   leave_out_unreached(mesh, resolved);
   return resolved;

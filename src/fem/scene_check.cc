@@ -124,13 +124,15 @@ void check_initial(Checker& checker) {
       std::none_of(regions.begin(), regions.end(), [](const auto& r) { return r.second.strength.has_value(); }))
     checker.object(asked ? "initial.safety" : "limits.safety", "no region has a strength that may fall",
                    "give soils a table strength, such as strength = { friction_angle = 40 }");
-  if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety) ||
+  const bool built = !checker.scene.construction.empty();
+  if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety && !built) ||
       std::isfinite(water_level(checker.scene, checker.mesh)))
     return;
-  checker.object(
-      "initial",
-      "stiffness by stress, soil that yields, and safety need the level of still water, which no region of water gives",
-      "add [initial] with water_level, the height y (m)");
+  checker.object("initial",
+                 "stiffness by stress, soil that yields, safety and construction need the level of still water, which "
+                 "no region of "
+                 "water gives",
+                 "add [initial] with water_level, the height y (m)");
 }
 
 /// The caisson may not be soil that yields: readings along its bottom would belong to both sides.
@@ -198,6 +200,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
   check_initial(checker);
+  check_construction(checker);
   check_harbour(checker);
   check_yielding(checker);
   check_caisson(checker);

@@ -11,6 +11,7 @@ namespace upbead {
 // A finding has a file of its own, and a row here.
 Finding discretisation_finding();
 Finding rest_finding();
+Finding construction_finding();
 Finding shear_finding();
 Finding energy_finding();
 Finding reduction_finding();
@@ -33,10 +34,11 @@ namespace {
 
 const std::vector<Finding>& findings() {
   static const std::vector<Finding> rows{
-      discretisation_finding(), rest_finding(),        shear_finding(),    energy_finding(),      reduction_finding(),
-      periods_finding(),        sliding_finding(),     yielding_finding(), base_finding(),        circles_finding(),
-      contact_finding(),        harbour_finding(),     strength_finding(), cavitation_finding(),  scene_finding(),
-      densification_finding(),  strain_soil_finding(), ways_finding(),     plausibility_finding()};
+      discretisation_finding(), rest_finding(),        construction_finding(), shear_finding(),
+      energy_finding(),         reduction_finding(),   periods_finding(),      sliding_finding(),
+      yielding_finding(),       base_finding(),        circles_finding(),      contact_finding(),
+      harbour_finding(),        strength_finding(),    cavitation_finding(),   scene_finding(),
+      densification_finding(),  strain_soil_finding(), ways_finding(),         plausibility_finding()};
   return rows;
 }
 

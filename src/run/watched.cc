@@ -20,7 +20,7 @@ Watched::Watched(const Simulation& simulation) {
   if (!has_strength(simulation.scene())) return;
   try {
     const StaticStage rest = solve_static(simulation.scene(), *simulation.mesh());
-    strength.emplace(*simulation.space(), *simulation.unknowns(), rest.stress, k0_of(simulation.scene()));
+    strength.emplace(*simulation.space(), *simulation.unknowns(), rest.stress, k0_to_apply(simulation.scene()));
   } catch (const NumericsError& error) {
     why_no_strength = error.what();
   }

@@ -122,6 +122,9 @@ Summary full_summary() {
   s.nonlinear->regions = {{}};
   s.densification = {{}};
   s.safety.emplace();
+  s.construction.emplace().caisson.emplace();
+  s.construction->stages = {{}};
+  s.construction->stages.front().caisson.emplace();
   s.residual.emplace().pore_pressure.emplace();
   s.strength = {{}};
   s.warnings = {{}};

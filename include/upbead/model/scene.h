@@ -132,6 +132,15 @@ struct Probe {
   std::array<double, 2> at{0., 0.};  ///< m
 };
 
+/// A stage in which the section is built: what appears in it, without stress, on what stands already.
+struct ConstructionStage {
+  int order = 1;                     ///< stages follow each other by it
+  std::vector<std::string> regions;  ///< that appear
+  /// Share of the caisson's weight in air that stands after this stage; none: as before, and all of a new caisson.
+  std::optional<double> caisson_share;
+  std::optional<double> water_level;  ///< of still water in this stage (m); none: that before the waves
+};
+
 struct Scene {
   std::string title;
   double gravity = 9.81;  ///< m/s2
@@ -141,8 +150,9 @@ struct Scene {
   std::map<std::string, Boundary> boundaries;
   std::map<std::string, Load> loads;
   TimeChoice time;
-  std::optional<InitialState> initial;  ///< for stiffness that depends on stress
-  double tolerance = 0.005;             ///< relative, of what `accuracy` names
+  std::optional<InitialState> initial;                    ///< for stiffness that depends on stress
+  std::map<std::string, ConstructionStage> construction;  ///< empty: all weights are put on at once
+  double tolerance = 0.005;                               ///< relative, of what `accuracy` names
   AccuracyChoice accuracy;
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
@@ -173,6 +183,9 @@ bool has_strength(const Scene& scene);
 
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
 double contact_friction(const Scene& scene);
+
+/// Names of the stages in the order in which they are built.
+std::vector<std::string> stages_in_order(const Scene& scene);
 
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
 /// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has a kink.

@@ -238,6 +238,33 @@ struct SafetySummary {
   std::string why_open;                ///< why the bounds are no closer; "" where they are as close as asked for
 };
 
+/// How the caisson moved in a stage of construction, or since it was set down, and how it presses then.
+struct CaissonMotion {
+  double settlement = 0., displacement_x = 0., rotation = 0.;  ///< downward, landward (m); top landward (rad)
+};
+
+/// A stage of construction, drained, when it is done.
+struct StageSummary {
+  std::string name, regions;         ///< regions: those that appear, with commas
+  double weight = 0.;                ///< of all that stands, in water (N/m)
+  std::optional<double> settlement;  ///< largest of the ground in this stage, downward (m); none in the first stage
+  std::array<double, 2> settlement_at{0., 0.};  ///< m
+  std::optional<CaissonMotion> caisson;         ///< in this stage; none before it is set down
+  /// Of the edges, stress varying linearly (Pa); none before, of a solid caisson, and where the resultant leaves them.
+  std::optional<double> heel_pressure, toe_pressure;
+  std::optional<double> mobilised;             ///< largest share of the strength; none where no region has one
+  std::array<double, 2> mobilised_at{0., 0.};  ///< m
+  std::string mobilised_in;                    ///< region
+  std::optional<double> share_at_strength;     ///< of Mohr-Coulomb soil that stands; none without any
+};
+
+/// How the section was built.
+struct ConstructionSummary {
+  std::vector<StageSummary> stages;      ///< as far as they stand
+  std::optional<CaissonMotion> caisson;  ///< since it was set down
+  std::string falls_in;                  ///< the stage that has no rest; "" where all have
+};
+
 /// The least safe slip circle through the ground under the caisson, and what pressed on the ground then.
 struct SlipCircleFound {
   double factor = 0.;                          ///< F by Bishop's simplified method
@@ -363,29 +390,30 @@ struct Summary {
   std::vector<FlowSummary> flows;
   std::vector<WaveLoadSummary> waves;
   std::vector<MeasuredSummary> measured;
-  std::optional<EnergyAccount> energy;         ///< none where no march kept an account
-  std::optional<ReductionSummary> reduction;   ///< none where it was marched
-  std::vector<NaturalPeriod> periods;          ///< of F_T; none where no reduced model was made
-  std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh error was not estimated
-  std::optional<ErrorEstimate> history_error;  ///< of the whole history; with it
-  std::optional<SlidingSummary> sliding;       ///< none without [sliding]
-  std::optional<HarbourSummary> harbour;       ///< none where still water has one level
-  std::optional<BaseSummary> base;             ///< none where the forces on the base at rest are not known
-  std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
-  std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
-  std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
-  std::optional<ResidualSummary> residual;     ///< where soil yields, of a caisson
-  std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
-  std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
-  std::optional<SlipCircles> circles;          ///< none where no region has a strength, or no base presses on it
-  std::string why_no_circles;                  ///< why not; "" where they are there
-  std::string why_void;                        ///< why nothing that was marched holds; "" where it does
-  std::optional<Verdict> verdict;              ///< drawn from checks and warnings
-  Checks checks;                               ///< of the section, in the order of a sheet
-  Checks formula_checks;                       ///< of its loads by waves, which `checks` end with
-  std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
-  NumberedWarnings warnings;                   ///< docs/warnings.md
-  Ladder ladder;                               ///< the ways tried; the last one was taken
+  std::optional<EnergyAccount> energy;              ///< none where no march kept an account
+  std::optional<ReductionSummary> reduction;        ///< none where it was marched
+  std::vector<NaturalPeriod> periods;               ///< of F_T; none where no reduced model was made
+  std::optional<ErrorEstimate> error;               ///< of the peak; none where the mesh error was not estimated
+  std::optional<ErrorEstimate> history_error;       ///< of the whole history; with it
+  std::optional<SlidingSummary> sliding;            ///< none without [sliding]
+  std::optional<HarbourSummary> harbour;            ///< none where still water has one level
+  std::optional<BaseSummary> base;                  ///< none where the forces on the base at rest are not known
+  std::optional<ContactSummary> contact;            ///< none where the bottom is bonded
+  std::optional<SoilSummary> soil;                  ///< none where no soil depends on strain
+  std::optional<NonlinearSummary> nonlinear;        ///< none where no soil yields
+  std::optional<ResidualSummary> residual;          ///< where soil yields, of a caisson
+  std::vector<CompactedSoil> densification;         ///< of the regions that pack denser
+  std::optional<SafetySummary> safety;              ///< where it is asked for, and where no rest was found
+  std::optional<ConstructionSummary> construction;  ///< none where it is not built in stages
+  std::optional<SlipCircles> circles;               ///< none where no region has a strength, or no base presses on it
+  std::string why_no_circles;                       ///< why not; "" where they are there
+  std::string why_void;                             ///< why nothing that was marched holds; "" where it does
+  std::optional<Verdict> verdict;                   ///< drawn from checks and warnings
+  Checks checks;                                    ///< of the section, in the order of a sheet
+  Checks formula_checks;                            ///< of its loads by waves, which `checks` end with
+  std::vector<MobilisedStrength> strength;          ///< of the regions whose strength is given
+  NumberedWarnings warnings;                        ///< docs/warnings.md
+  Ladder ladder;                                    ///< the ways tried; the last one was taken
   std::vector<Skipped> skipped;
   Timing timing;
 };
