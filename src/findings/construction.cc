@@ -69,8 +69,8 @@ OutputSchema<StageSummary> stage_outputs() {
           "where the resultant leaves the base there")
       .key("toe_pressure", &S::toe_pressure, "Pa", "likewise under the seaward edge")
       .key("mobilised", &S::mobilised, "",
-           "largest share of its strength that a cell mobilises, 1 at the strength, 10: more; free surfaces are left "
-           "out; null where no region that stands has a strength")
+           "largest share of its strength that the mean stress of a cell mobilises, 1 at the strength, 10: more; free "
+           "surfaces are left out; null where no region that stands has a strength")
       .key(
           "mobilised_at[]", [](const S& s) { return s.mobilised ? std::optional(s.mobilised_at) : std::nullopt; }, "m",
           "where that is; null with it")

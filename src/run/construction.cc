@@ -31,11 +31,12 @@ double mobilised(const PlaneStress& s, const Strength& strength) {
   return bearable * end_of_scale > radius ? radius / bearable : end_of_scale;
 }
 
-template <class Of>
-double mean_of_points(const std::vector<PlaneStress>& points, const Of& of) {
-  double sum = 0.;
-  for (const PlaneStress& s : points) sum += of(s);
-  return sum / static_cast<double>(points.size());
+/// Where every point is within the strength, so is their mean.
+PlaneStress mean_of(const std::vector<PlaneStress>& points) {
+  PlaneStress mean;
+  for (const PlaneStress& s : points) mean = sum(mean, s);
+  const double share = 1. / static_cast<double>(points.size());
+  return {share * mean.xx, share * mean.yy, share * mean.xy, share * mean.zz};
 }
 
 /// Looks at what stands in a stage: cells that have stresses.
@@ -64,8 +65,9 @@ class StageReader {
       const std::string& name = mesh_.surface_of(cell);
       const Region& region = scene_.regions.at(name);
       fails = fails || region.law == SoilLaw::mohr_coulomb;
-      if (!region.strength || mean_of_points(points, mean_in_plane) < least.at(name)) return;
-      const double share = mean_of_points(points, [&](const PlaneStress& s) { return mobilised(s, *region.strength); });
+      const PlaneStress stress = mean_of(points);
+      if (!region.strength || mean_in_plane(stress) < least.at(name)) return;
+      const double share = mobilised(stress, *region.strength);
       if (stage.mobilised && share <= *stage.mobilised) return;
       stage.mobilised = share;
       stage.mobilised_at = {cell->center()[0], cell->center()[1]};
@@ -86,7 +88,7 @@ class StageReader {
   std::map<std::string, double> least_stresses() const {
     std::map<std::string, double> sum, area;
     for_each_soil([&](const MeshCell& cell, const std::vector<PlaneStress>& points) {
-      sum[mesh_.surface_of(cell)] += area_of(cell) * std::max(mean_of_points(points, mean_in_plane), 0.);
+      sum[mesh_.surface_of(cell)] += area_of(cell) * std::max(mean_in_plane(mean_of(points)), 0.);
       area[mesh_.surface_of(cell)] += area_of(cell);
     });
     for (auto& [name, value] : sum) value *= least_stress / area.at(name);
