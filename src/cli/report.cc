@@ -181,6 +181,8 @@ std::string details(const Case& input, const Simulation& simulation, const std::
     text += "            until " + significant(simulation.given().time.end) + " s, " +
             settled_end(input, *simulation.mesh()).why + "\n";
   text += describe(yielding_extent(simulation));
+  if (!simulation.scene().construction.empty())
+    text += "built       " + join(stages_in_order(simulation.scene()), ", then ") + "; each stage drained\n";
   if (simulation.compiled()->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
             std::to_string(simulation.compiled()->system.interface->n_nodes()) +
@@ -216,6 +218,9 @@ std::string brief(const Summary& s) {
   if (s.residual)
     text += "at rest     x " + with_unit(s.residual->displacement_x, "m") + ", y " +
             with_unit(s.residual->displacement_y, "m") + ", turned " + significant(s.residual->rotation) + " rad\n";
+  if (s.construction && s.construction->caisson)
+    text += "before      settled " + with_unit(s.construction->caisson->settlement, "m") + ", turned " +
+            significant(s.construction->caisson->rotation) + " rad since it was set down, in no number above\n";
   if (!s.periods.empty()) text += periods_of(s.periods);
   return text + format("time        %.2f s; --details prints all else, summary.json has it\n", s.timing.total);
 }

@@ -62,7 +62,7 @@ OutputSchema<StageSummary> stage_outputs() {
           "settlement_at[]", [](const S& s) { return s.settlement ? std::optional(s.settlement_at) : std::nullopt; },
           "m", "where that is; null with it")
       .object("caisson", &S::caisson, caisson_motion_outputs(),
-              "motion of a rigid caisson in this stage; null where it does not stand")
+              "motion of a rigid caisson in this stage; null where it does not stand, and in the first stage")
       .key(
           "heel_pressure", &S::heel_pressure, "Pa",
           "under the caisson's landward edge, stress varying linearly over the base; null where it does not stand, and "

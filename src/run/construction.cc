@@ -110,9 +110,9 @@ StageSummary stage_of(const Simulation& simulation, const BuiltStage& built, boo
   stage.regions = join(simulation.scene().construction.at(built.name).regions);
   stage.weight = built.weight;
   const StageReader reader(simulation, built);
-  if (!is_first) reader.settle(stage);
+  if (!is_first) reader.settle(stage);  // ground as it is found has settled long ago
   reader.mobilise(stage);
-  if (built.caisson) stage.caisson = motion_of(*built.caisson);
+  if (built.caisson && !is_first) stage.caisson = motion_of(*built.caisson);
   if (built.base) {
     const EdgePressures edges = edge_pressures(built.base->force, built.base->moment, built.base->width);
     stage.heel_pressure = edges.landward;
@@ -128,15 +128,17 @@ std::optional<ConstructionSummary> construction_of(const Simulation& simulation,
   ConstructionSummary construction;
   construction.falls_in = rest.falls_in;
   bool is_known = true;
-  CaissonMotion sum;
+  CaissonMotion since;
   for (const BuiltStage& built : rest.built) {
     construction.stages.push_back(stage_of(simulation, built, construction.stages.empty()));
-    is_known = is_known && (!built.base || built.caisson);
-    if (const auto& moved = construction.stages.back().caisson)
-      sum = {sum.settlement + moved->settlement, sum.displacement_x + moved->displacement_x,
-             sum.rotation + moved->rotation};
+    const auto& moved = construction.stages.back().caisson;
+    is_known = is_known && (moved || !built.base);
+    if (moved)
+      since = {since.settlement + moved->settlement, since.displacement_x + moved->displacement_x,
+               since.rotation + moved->rotation};
   }
-  if (is_known && !rest.built.empty() && rest.built.back().caisson) construction.caisson = sum;
+  const bool stands = !rest.built.empty() && rest.built.back().base && rest.falls_in.empty();
+  if (is_known && stands) construction.caisson = since;
   return construction;
 }
 

@@ -47,6 +47,7 @@ class ConstructionRun : public InFolder {
  protected:
   Summary run(const std::string& text) {
     static const PetscSession petsc;  // MPI starts once in a process
+    unsetenv("UPBEAD_MESHES");
     write("case.toml", text);
     const Case input = read_case("case.toml");
     return solve(input, simulation_of(input), {}).summary;
@@ -66,9 +67,10 @@ TEST_F(ConstructionRun, SoilThatYieldsBeginsFromTheLastStage) {
   ASSERT_TRUE(one.construction && built.construction && plain.residual && one.residual && built.residual);
   EXPECT_NEAR(one.response->peak_shear, plain.response->peak_shear, 1e-10 * plain.response->peak_shear);
   EXPECT_NEAR(one.residual->displacement_y, plain.residual->displacement_y, 1e-9 * 1e-3);
+  EXPECT_FALSE(one.construction->caisson || one.construction->stages[0].caisson) << "the ground as it is found";
   EXPECT_NE(built.nonlinear->rest->share_at_strength, plain.nonlinear->rest->share_at_strength);
   EXPECT_GT(std::abs(built.residual->displacement_y - plain.residual->displacement_y),
-            1e-3 * std::abs(plain.residual->displacement_y));
+            3e-4 * std::abs(plain.residual->displacement_y));
   ASSERT_EQ(built.construction->stages.size(), 4u);
   const StageSummary& fill = built.construction->stages[3];
   EXPECT_EQ(fill.name, "fill");
@@ -118,7 +120,8 @@ TEST_F(ConstructionRun, ContactBeginsFromTheStages) {
   const Summary built = run(text(stages)), plain = run(text(""));
   ASSERT_TRUE(built.contact && built.construction);
   EXPECT_NEAR(built.contact->weight, plain.contact->weight, 1e-6 * plain.contact->weight);
-  EXPECT_GT(std::abs(built.contact->demand.slip / plain.contact->demand.slip - 1.), 1e-3) << "other forces at rest";
+  EXPECT_GT(std::abs(built.contact->demand.least_normal - plain.contact->demand.least_normal), 1e-3)
+      << "the least N_i over that at rest";
 }
 
 TEST_F(ConstructionRun, AStageThatDoesNotStandIsNamedAndVoidsTheRest) {
