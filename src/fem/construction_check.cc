@@ -1,17 +1,11 @@
 // Whether the stages of a case build its section: every region once, nothing before what carries it.
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q1.h>
-
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "base/text.h"
 #include "fem/checker.h"
-#include "fem/faces.h"
 #include "fem/static_stage.h"
 
 namespace upbead {
@@ -105,18 +99,28 @@ void check_support(Checker& checker, const Births& births) {
   }
 }
 
-/// Area of the caisson below a level (m2).
+/// Area of the caisson below a level (m2): of each cell the part of its polygon that is.
 double area_below(const Mesh& mesh, double level) {
-  const FE_Nothing<dim> nothing;
-  const MappingQ1<dim> mapping;
-  FEValues<dim> values(mapping, nothing, QIterated<dim>(QGauss<1>(2), 16),
-                       update_quadrature_points | update_JxW_values);
+  constexpr std::array<unsigned, 4> around{0, 1, 3, 2};
   double area = 0.;
+  if (std::isinf(level) && level < 0.) return area;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     if (mesh.surface_of(cell) != caisson_name) continue;
-    values.reinit(cell);
-    for (unsigned q = 0; q < values.n_quadrature_points; ++q)
-      if (values.quadrature_point(q)[1] < level) area += values.JxW(q);
+    double twice = 0.;  // of the area between the sides' parts below the level and that level
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      Point<dim> a = cell->vertex(around[i]), b = cell->vertex(around[(i + 1) % around.size()]);
+      if (std::isfinite(level)) {
+        const auto cut = [&](const Point<dim>& low, const Point<dim>& high) {
+          return low + (high - low) * ((level - low[1]) / (high[1] - low[1]));
+        };
+        if (a[1] > level && b[1] > level) continue;
+        if (a[1] > level) a = cut(b, a);
+        if (b[1] > level) b = cut(a, b);
+      }
+      const double top = std::isfinite(level) ? level : 0.;
+      twice += (b[0] - a[0]) * (2. * top - a[1] - b[1]);
+    }
+    area += 0.5 * std::abs(twice);
   }
   return area;
 }

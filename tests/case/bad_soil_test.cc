@@ -26,6 +26,11 @@ const std::vector<BadCase> rows{
     BadCase{
         "K0Negative", "[time]", "[initial]\nk0 = -0.5\n[time]",
         "case.toml:67:1: k0 = -0.5 is outside (0, 5); give the ratio K_0 of horizontal to vertical effective stress"},
+    BadCase{"StageWithoutOrder", "[time]", "[construction]\nmound = { regions = [\"rubble\"] }\n[time]",
+            "case.toml:67:1: 'order' is missing in [construction.mound]; add order, a whole number"},
+    BadCase{"StageOfAWord", "[time]", "[construction]\nmound = { order = 1, regions = \"rubble\" }\n[time]",
+            "case.toml:67:22: regions: expected a list of strings, found a string; give the regions that appear in "
+            "this stage, without stress, on what stands already"},
     BadCase{"StrainWithoutDamping", "damping = { ratio = 0.05, frequencies = [1.0, 8] }", "strain = {}",
             "case.toml:14:10: [regions.rubble]: 'damping' is missing, whose frequencies strain-dependent damping "
             "needs; add damping = { ratio = 0.05, frequencies = [1.0, 10.0] }"},

@@ -467,8 +467,16 @@ const BadStages bad_stages[] = {
     {"SameOrder", [](Scene& s) { s.construction["stage3"].order = 2; }, "construction.stage3.order", "same order, 2"},
     {"ShareBeforeTheCaisson", [](Scene& s) { s.construction["stage1"].caisson_share = 0.5; },
      "construction.stage1.caisson_share", "no caisson"},
-    {"Floats", [](Scene& s) { s.construction["stage2"].caisson_share = 0.2; }, "construction.stage2.caisson_share",
+    // rho_f 9 m over 2100 kg/m3 16 m: 0.27589
+    {"Floats", [](Scene& s) { s.construction["stage2"].caisson_share = 0.2758; }, "construction.stage2.caisson_share",
      "floats"},
+    {"FloatsAsWaterRises",
+     [](Scene& s) {
+       s.construction["stage2"].caisson_share = 0.2759;
+       s.construction["stage3"] = {3, {}, {}, 15.1};
+       s.construction["stage4"] = {4, {}, 1., {}};
+     },
+     "construction.stage3.water_level", "floats"},
     {"NotFilled", [](Scene& s) { s.construction["stage3"].caisson_share.reset(); }, "construction",
      "60 % of its weight"},
     {"OtherLevelAtTheEnd", [](Scene& s) { s.construction["stage3"].water_level = 14.; },
