@@ -176,6 +176,29 @@ Decision tell_damping(const std::string& name, const Rayleigh& damping) {
           ""};
 }
 
+namespace {
+
+/// How the stress of a region follows its strain, and its damping.
+void tell_laws(const std::string& name, const Region& region, ResolvedScene& resolved) {
+  if (region.law != SoilLaw::elastic)
+    resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
+                                  "as the case says; where it yields nothing is linear, so it is marched", ""});
+  if (region.densification)
+    resolved.decisions.push_back(
+        {name, "densification",
+         "C1 = " + significant(region.densification->C1()) + ", C2 = " + significant(region.densification->C2()),
+         "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
+         "\"mohr_coulomb\"",
+         ""});
+  if (region.strain_law && region.law == SoilLaw::elastic)
+    resolved.decisions.push_back({name, "strain", "equivalent-linear",
+                                  "stiffness and damping follow the shear strain, settled when it is run", ""});
+  if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
+    resolved.decisions.push_back(tell_damping(name, *region.damping));
+}
+
+}  // namespace
+
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
   ResolvedScene resolved{scene, {}, {}, {}};
@@ -207,23 +230,7 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         break;
     }
   }
-  for (const auto& [name, region] : resolved.scene.regions) {
-    if (region.law != SoilLaw::elastic)
-      resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
-                                    "as the case says; where it yields nothing is linear, so it is marched", ""});
-    if (region.densification)
-      resolved.decisions.push_back(
-          {name, "densification",
-           "C1 = " + significant(region.densification->C1()) + ", C2 = " + significant(region.densification->C2()),
-           "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
-           "\"mohr_coulomb\"",
-           ""});
-    if (region.strain_law && region.law == SoilLaw::elastic)
-      resolved.decisions.push_back({name, "strain", "equivalent-linear",
-                                    "stiffness and damping follow the shear strain, settled when it is run", ""});
-    if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
-      resolved.decisions.push_back(tell_damping(name, *region.damping));
-  }
+  for (const auto& [name, region] : resolved.scene.regions) tell_laws(name, region, resolved);
   tell_construction(resolved);
   leave_out_idle_water(outline, mesh, resolved);
   leave_out_unreached(mesh, resolved);
