@@ -125,6 +125,7 @@ Summary full_summary() {
   s.construction.emplace().caisson.emplace();
   s.construction->stages = {{}};
   s.construction->stages.front().caisson.emplace();
+  s.construction->stages.front().settlement = s.construction->stages.front().mobilised = 0.;
   s.residual.emplace().pore_pressure.emplace();
   s.strength = {{}};
   s.warnings = {{}};
