@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "cli/command.h"
+#include "cli/respond_cases.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
 #include "upbead/case/case.h"
@@ -38,6 +39,11 @@ void check_case_first(int argc, char** argv) {
   upbead::check_case_of(argc, argv);
 }
 
+/// Whether `respond` is given a case, which is to be meshed.
+bool respond_meshes(const std::vector<std::string>& words) {
+  return !words.empty() && words[0] == "respond" && std::any_of(words.begin() + 1, words.end(), upbead::is_case);
+}
+
 /// Replaces this process by another program beside it, with the same command line.
 [[noreturn]] void become(const std::string& name, const std::string& what_it_does, char** argv) {
   const std::string program = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
@@ -64,6 +70,7 @@ int main(int argc, char** argv) {
     }
     if (argc > 1 && is_among(upbead::sampling_commands(), argv[1]))
       become("upbead-reliability", "samples what is random", argv);
+    if (respond_meshes(words)) become("upbead-solver", "meshes and solves", argv);
     if (argc > 1 && is_among(upbead::solver_commands(), argv[1])) {
       check_case_first(argc, argv);
       prefer_large_pages();

@@ -6,6 +6,7 @@
 
 #include "base/cores.h"
 #include "cli/command.h"
+#include "cli/respond_cases.h"
 #include "upbead/algebra/petsc_session.h"
 
 namespace {
@@ -31,7 +32,7 @@ int main(int argc, char** argv) {
     const std::vector<upbead::Command> solving{upbead::explain_command(), upbead::run_command(),
                                                upbead::sheet_command(), upbead::reduce_command(),
                                                upbead::study_command()};
-    code = upbead::run_program(argc, argv, solving + upbead::light_commands());
+    code = upbead::run_program(argc, argv, solving + upbead::light_commands(upbead::respond_cases_command()));
     if (!upbead::is_launched()) leave(code);  // else MPI is to be left in order
   } catch (...) {
     code = upbead::tell_failure();

@@ -24,6 +24,7 @@ TITLES = {
     "calibration": "Calibration",
     "life": "Lives",
     "limits": "Limits",
+    "cycles": "Waves of a storm",
 }
 KINDS = ("regions", "loads", "probes", "boundaries")
 ORDER = [

@@ -37,11 +37,14 @@ void make_loads(Case& problem, Diagnostics& report) {
 
 /// Fills the values that [sliding] takes from the one load by a wave.
 void add_wave_sliding(const Case& problem, SlidingChoice& sliding) {
+  const DurationFactor k = problem.tables->duration.value_or(DurationFactor());
+  if (sliding.wave) sliding.wave->factor = k(sliding.wave->alpha_star);
   const auto waves = acting_waves(problem);
   if (waves.size() != 1) return;
   const WaveLoad& wave = *waves.front();
   if (!sliding.wave)
-    sliding.wave = {wave.wave.height, wave.section.water_depth, wave.wave.period, wave.pressure.alpha_star};
+    sliding.wave = {wave.wave.height, wave.section.water_depth, wave.wave.period, wave.pressure.alpha_star,
+                    k(wave.pressure.alpha_star)};
   if (!sliding.uplift || sliding.uplift->kind != UpliftKind::wave) return;
   sliding.uplift->kind = UpliftKind::prescribed;
   if (wave.standing)
@@ -91,8 +94,8 @@ void make_sliding(Case& problem, Diagnostics& report) {
 CaseTables read_tables(const Document& document, Diagnostics& report) {
   CaseTables tables;
   case_schema().read(document.root(), "", tables, report);
-  for (const auto check :
-       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_output, check_sliding})
+  for (const auto check : {check_mesh, check_regions, check_section, check_loads, check_time, check_probes,
+                           check_output, check_cycles, check_sliding})
     check(tables, document, report);
   return tables;
 }

@@ -89,6 +89,11 @@ void check_time(const CaseTables& tables, const Document& document, Diagnostics&
         "write scheme = \"auto\"");
 }
 
+void check_cycles(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  if (tables.cycles && report.sound("cycles"))
+    TableDiagnostics("cycles", document, report).add(diagnose(*tables.cycles));
+}
+
 void check_output(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("output") || !report.sound("time")) return;
   constexpr std::size_t most_times = 10000;

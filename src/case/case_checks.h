@@ -42,6 +42,7 @@ void check_loads(const CaseTables& tables, const Document& document, Diagnostics
 void check_time(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_section(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_sliding(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_cycles(const CaseTables& tables, const Document& document, Diagnostics& report);
 /// Times in [output].
 void check_output(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report);

@@ -220,6 +220,8 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .keys_of(&W::stability, stability_outputs())
       .key("sliding_exact", &W::sliding, "m",
            "S of Goda's P with alpha* by eqs. (4), (6), tau_0 = k(alpha*) tau_0F: by formulas, without the ground")
+      .key("sliding_combined", &W::sliding_combined, "m",
+           "the same with the standing wave besides the pulse, by `[combined]`, as `waves` has it")
       .object("standing", inner(&W::standing, &StandingResult::answer), standing_outputs(),
               "the standing wave of finite height before the wall; null where there is none")
       .key("why_no_standing", inner(&W::standing, &StandingResult::why_not), "", "why; empty where there is one")

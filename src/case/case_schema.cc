@@ -97,6 +97,26 @@ TableSchema<InitialState> initial_schema() {
   return table;
 }
 
+TableSchema<ConstructionStage> construction_schema() {
+  TableSchema<ConstructionStage> table;
+  table.key("order", &ConstructionStage::order, "", "place among the stages; the first is the ground as it is found")
+      .range(at_least(0.))
+      .required();
+  table
+      .key("regions", &ConstructionStage::regions, "",
+           "regions that appear in this stage, without stress, on what stands already; water is always there")
+      .fallback("none");
+  table
+      .key("caisson_share", &ConstructionStage::caisson_share, "",
+           "share of the caisson's weight in air that stands from this stage on; an empty caisson has less than 1, and "
+           "a later stage fills it")
+      .range(above(0.))
+      .fallback("as before; all of a new caisson");
+  table.key("water_level", &ConstructionStage::water_level, "m", "height y of still water in this stage")
+      .fallback("that before the waves");
+  return table;
+}
+
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
   table.key("end", &TimeChoice::end, "s", "end of the computed time")
@@ -119,6 +139,26 @@ TableSchema<TimeChoice> time_schema() {
            "share of the largest energy; the run stops once the loads are over and the energy has fallen below it")
       .range(between(0., 1.))
       .fallback("never before end");
+  return table;
+}
+
+TableSchema<Cycles> cycles_schema() {
+  TableSchema<Cycles> table;
+  table.key("number", &Cycles::number, "", "number of waves in each part of the storm, in order of time; as period")
+      .range(above(0.))
+      .required();
+  table.key("period", &Cycles::period, "s", "wave period in each part").range(above(0.)).required();
+  table
+      .key("height", &Cycles::height, "m",
+           "wave height in each part; the shear of the run counts in proportion to it over run_height")
+      .range(above(0.))
+      .fallback("all waves are as the run's");
+  table.key("run_height", &Cycles::run_height, "m", "height of the wave whose loads the case has; needed with height")
+      .range(above(0.))
+      .fallback("none");
+  table.key("calm", &Cycles::calm, "s", "time after the storm that is followed, while the pressure goes")
+      .range(at_least(0.))
+      .fallback("until a hundredth of the largest pressure is left, at most a thousand times the storm");
   return table;
 }
 
@@ -181,6 +221,11 @@ TableSchema<Fluid> fluid_schema() {
   return table;
 }
 
+std::vector<std::string> tables_of_designs() {
+  return {"levels",  "ground",   "waves",  "sea",         "storms",     "life",
+          "scatter", "dynamics", "impact", "calibration", "reliability"};
+}
+
 TableSchema<CaseTables> case_schema() {
   TableSchema<CaseTables> table;
   table.key("title", &CaseTables::title, "", "title of the case");
@@ -199,8 +244,17 @@ TableSchema<CaseTables> case_schema() {
           "history, or with a wave.");
   table.table("section", &CaseTables::section, section_schema())
       .doc("The breakwater's cross-section for loads by waves, as in a design; [sliding] takes mu and W' from it.");
+  table.table("duration", &CaseTables::duration, duration_schema())
+      .doc("k(alpha*) in tau_0 = k tau_0F, as in a design: of loads by waves, and of S by eq. (4) and (7).");
+  table.table("combined", &CaseTables::combined, combined_schema())
+      .doc("Water and uplift beside a standing wave with a pulse, as in a design: of S by formulas.");
   table.table("initial", &CaseTables::initial, initial_schema())
       .doc("The state before the waves, for soils whose stiffness depends on stress.");
+  table.tables("construction", &CaseTables::construction, construction_schema())
+      .doc(
+          "Stages in which the section is built, by name, in their `order`; each drained. Stresses at rest are then "
+          "those after the last stage, and settlement per stage is a result; without stages all weights are put on at "
+          "once.");
   table.table("time", &CaseTables::time, time_schema());
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");
@@ -209,13 +263,14 @@ TableSchema<CaseTables> case_schema() {
   table.section("output", output_schema());
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
+  table.table("cycles", &CaseTables::cycles, cycles_schema())
+      .doc(
+          "The waves of a storm, of which the loads of the case are one: residual pore pressure, settlement and tilt, "
+          "where a region has a table cyclic. Not asked without this table.");
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
-  table.elsewhere(
-      {"levels", "duration", "combined", "ground", "waves", "sea", "storms", "life", "scatter", "dynamics", "impact",
-       "calibration",
-       "reliability"});  // of `waves`, `expected`, `calibrate`, `reliability`: a case may be their design, too
+  table.elsewhere(tables_of_designs());  // a case may be a design, too
   return table;
 }
 

@@ -31,6 +31,8 @@ struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
   std::optional<Section> section;
+  std::optional<DurationFactor> duration;  ///< k(alpha*)
+  std::optional<CombinedModel> combined;   ///< of S with a standing wave besides the pulse
   std::map<std::string, MeasuredKeys> measured;
   ReportHead report;
   AccuracyOf accuracy_of = AccuracyChoice().of;
@@ -42,6 +44,8 @@ struct CaseTables : Scene {
 CaseTables effective_tables(const Case& problem, const std::string& output_folder);
 
 TableSchema<CaseTables> case_schema();
+/// Those of `waves`, `expected`, `calibrate`, `reliability`, which a case passes over.
+std::vector<std::string> tables_of_designs();
 TableSchema<Fluid> fluid_schema();
 TableSchema<Region> region_schema();
 TableSchema<LoadTable> load_schema();

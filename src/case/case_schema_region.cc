@@ -72,6 +72,26 @@ TableSchema<Strength> strength_schema() {
   return table;
 }
 
+TableSchema<CyclicSoil> cyclic_schema() {
+  TableSchema<CyclicSoil> table;
+  table
+      .key(
+          "relative_density", &CyclicSoil::relative_density, "",
+          "relative density D_r; gives alpha = 0.34 D_r + 0.084 and beta = 0.37 D_r - 0.46, which are assumed, and the "
+          "densification of Byrne (1991); or alpha and beta")
+      .range(from_to(0.2, 1.));
+  table
+      .key("alpha", &CyclicSoil::alpha, "",
+           "shear stress over mean effective stress at rest that liquefies the soil in one cycle: tau/sigma'_0 = alpha "
+           "N^beta")
+      .range(above(0.))
+      .fallback("by relative_density");
+  table.key("beta", &CyclicSoil::beta, "", "exponent of the number of cycles, below 0")
+      .range(between(-5., 0.))
+      .fallback("by relative_density");
+  return table;
+}
+
 TableSchema<Densification> densification_schema() {
   TableSchema<Densification> table;
   table
@@ -145,6 +165,9 @@ void declare_skeleton(TableSchema<Region>& table) {
   limit(table.table("densification", &Region::densification, densification_schema())
             .doc("Sand that packs denser under cycles of shear, with law hysteretic or mohr_coulomb: pore pressure "
                  "where its water stays, settlement where it goes. Without this table it keeps its volume."));
+  limit(table.table("cyclic", &Region::cyclic, cyclic_schema())
+            .doc("Sand in which the cycles of a storm, [cycles], build pore pressure, with law elastic. Without this "
+                 "table it builds none: clay, rubble."));
 }
 
 void declare_mass(TableSchema<Region>& table) {

@@ -10,7 +10,8 @@ namespace {
 const char* const goda =
     "Goda's P and U with alpha* = max(alpha_2, alpha_I), which already is an effective sliding force";
 const char* const trough_bound =
-    "a bound of the trough after Sainflou (1928), without suction under the base: on the safe side, as no standing "
+    "a bound of the trough after Sainflou (1928), suction under the base where it is worse: on the safe side, as no "
+    "standing "
     "wave "
     "of finite height is known (why_no_standing)";
 const char* const standing_wave = "the standing wave of finite height, in case the wave does not break";
@@ -43,10 +44,9 @@ class FormulaChecks {
   }
 
   void add_sliding_distance() {
-    if (answer_.sliding)
-      list_.push_back(at_most(
-          check("sliding distance by formulas", "m", answer_.sliding, "sliding_exact", answer_.sliding_by.c_str()),
-          limits_.sliding));
+    const FormulaSliding& s = answer_.sliding;
+    list_.push_back(
+        at_most(check("sliding distance by formulas", "m", s.distance, s.key, s.by.c_str()), limits_.sliding));
   }
 
   void add_standing() {
@@ -60,8 +60,8 @@ class FormulaChecks {
     const auto& seaward_factor = limits_.seaward_sliding_factor ? limits_.seaward_sliding_factor : factor;
     if (const auto& standing = answer_.standing.answer) {
       add(standing->landward, landward, keys, standing_wave, factor);
-      add(standing->seaward, seaward, seaward_keys, "the trough of the standing wave, without suction under the base",
-          seaward_factor);
+      add(standing->seaward, seaward, seaward_keys,
+          "the trough of the standing wave, suction under the base where it is worse", seaward_factor);
     } else {
       add(answer_.standing.bound->seaward, seaward,
           {"trough_bound.safety_sliding", "trough_bound.safety_overturning", "trough_bound.toe_pressure"}, trough_bound,
@@ -81,6 +81,15 @@ class FormulaChecks {
 constexpr double of_practice = 1.2;
 
 }  // namespace
+
+FormulaSliding larger_sliding(double exact, double combined) {
+  const bool larger = combined > exact;
+  return {larger ? combined : exact,
+          std::string(larger ? "Shimosako and Takahashi (1998), a standing wave and a pulse"
+                             : "eqs. (4) and (6) of Shimosako and Takahashi (1994), integrated") +
+              "; tau_0 = k(alpha*) tau_0F",
+          larger ? "sliding_combined" : "sliding_exact"};
+}
 
 Checks formula_checks(const FormulaAnswer& answer, const Limits& limits) {
   FormulaChecks checks(answer, limits);

@@ -10,14 +10,22 @@
 
 namespace upbead {
 
+/// S of a wave by formulas (m), and how it was found.
+struct FormulaSliding {
+  double distance = 0.;
+  std::string by, key;  ///< the key without the wave's
+};
+
+/// The larger of S by eqs. (4) and (6), and of 1998, with a standing wave besides the pulse.
+FormulaSliding larger_sliding(double exact, double combined);
+
 /// A wave on a section by formulas.
 struct FormulaAnswer {
-  std::string wave, level;        ///< names; "" for no level
-  Stability stability;            ///< by Goda's formulas with alpha*
-  StandingResult standing;        ///< in case the wave does not break
-  std::optional<double> sliding;  ///< S by formulas (m); none: not known
-  std::string sliding_by;         ///< how that S was found
-  std::string key;                ///< of the summary, in which these numbers stand, with the final "."
+  std::string wave, level;  ///< names; "" for no level
+  Stability stability;      ///< by Goda's formulas with alpha*
+  StandingResult standing;  ///< in case the wave does not break
+  FormulaSliding sliding;
+  std::string key;  ///< of the summary, in which these numbers stand, with the final "."
 };
 
 /// Sliding, overturning and p_e, landward and seaward. A safety factor has the limit 1 where [limits] gives none.

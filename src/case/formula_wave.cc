@@ -169,6 +169,11 @@ void declare_factors(TableSchema<Limits>& table) {
            "largest tilt of the caisson, left in the end by soil that yields, that is allowed")
       .range(above(0.));
   table
+      .key("pressure_ratio", &Limits::pressure_ratio, "",
+           "largest residual pore pressure of a storm over the mean effective stress at rest that is allowed; 1: the "
+           "soil has liquefied")
+      .range(above(0.));
+  table
       .key("lives_beyond", &Limits::lives_beyond, "",
            "largest share of the lives that may slide farther than `sliding`")
       .range(between(0., 1.));
@@ -206,7 +211,47 @@ TableSchema<Limits> limits_schema() {
            "least factor of safety of slip circles through mound and ground under the caisson, by Bishop's simplified "
            "method, that is allowed; 1.0 in waves in Japanese practice. Only a run checks it")
       .range(above(0.));
+  table
+      .key(
+          "peak_safety", &Limits::peak_safety, "",
+          "least factor by which the strength may fall at the peak of the wave, under what the base presses then, that "
+          "is allowed. Has the factor computed, which takes about as long as the one at rest; only a run does")
+      .range(above(0.));
+  table
+      .key(
+          "liquefaction", &Limits::liquefaction, "",
+          "least factor against momentary liquefaction of the ground beside the caisson that is allowed: effective "
+          "stress at rest over the excess of the pore pressure over that on the surface above. Has it computed; only a "
+          "run does")
+      .range(above(0.));
   declare_factors(table);
+  return table;
+}
+
+TableSchema<CombinedModel> combined_schema() {
+  TableSchema<CombinedModel> table;
+  table
+      .key("added_mass_factor", &CombinedModel::added_mass_factor, "",
+           "added mass M_a over rho h'^2; the default is that of rigid walls in incompressible water on both sides")
+      .range(from_to(0., 10.));
+  const std::vector<std::pair<std::string, UpliftShape>> shapes{{"in_phase", UpliftShape::in_phase},
+                                                                {"sinusoidal", UpliftShape::sinusoidal}};
+  table.choice("uplift", &CombinedModel::uplift, shapes,
+               "course of U; in_phase: proportional to P; sinusoidal: uplift_gain U sin(2 pi t / T)");
+  table
+      .key("uplift_gain", &CombinedModel::uplift_gain, "",
+           "factor gamma_U of a sinusoidal uplift; unsettled in the sources at hand")
+      .range(from_to(0., 100.))
+      .when(
+          "uplift", [](const CombinedModel& model) { return model.uplift == UpliftShape::sinusoidal; },
+          "where the uplift is sinusoidal");
+  return table;
+}
+
+TableSchema<DurationFactor> duration_schema() {
+  TableSchema<DurationFactor> table;
+  table.key("a", &DurationFactor::a, "", "exponent a of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0.001, 10.));
+  table.key("b", &DurationFactor::b, "", "exponent b of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0., 100.));
   return table;
 }
 
@@ -227,7 +272,7 @@ void diagnose_direction(const WaveGiven& wave, const Section* section, Diagnosti
   if (!section->facing)
     list.add(at_key("direction"), "'direction' is given, but not where the wall looks at",
              "add facing to [section], the direction of the wall's seaward normal, in degrees from north");
-  else if (turned_angle(*wave.direction, *section->facing).turned >= 90.)
+  else if (turned_angle(*wave.direction, *section->facing).to_normal >= 90.)
     list.add(at_key("direction"),
              "the wave comes from " + significant(*wave.direction, 4) + " degrees, " +
                  significant(turned_angle(*wave.direction, *section->facing).to_normal, 4) +

@@ -11,6 +11,7 @@
 #include "input/schema.h"
 #include "upbead/base/error.h"
 #include "upbead/model/scene.h"
+#include "upbead/sliding/combined.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
@@ -41,6 +42,8 @@ inline Range formula_length() {
 }
 
 /// [section].
+TableSchema<CombinedModel> combined_schema();
+TableSchema<DurationFactor> duration_schema();
 TableSchema<Section> section_schema();
 
 /// [limits].

@@ -107,7 +107,7 @@ void add_church_roof(const WavePressure& standing, const Water& water, WaveLoad&
 
 void add_triangle(WaveLoad& w) {
   const double standing = standing_duration(w.wave.height, w.section.water_depth, w.wave.period);
-  w.pulse = {w.pressure.force, DurationFactor()(w.pressure.alpha_star) * standing};
+  w.pulse = {w.pressure.force, w.k(w.pressure.alpha_star) * standing};
 }
 
 void add_pulse(const Pulse& pulse, WaveLoad& w) {
@@ -142,11 +142,13 @@ Pulse pulse_of(PulseShape shape, double peak, double duration) {
 
 }  // namespace
 
-std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water) {
+std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water,
+                                    const DurationFactor& k) {
   const auto wave = std::make_shared<WaveLoad>();
   WaveLoad& w = *wave;
   w.table = table;
   w.section = section;
+  w.k = k;
   w.wave = design_wave(table, section, water);
   const Goda goda(section, water, w.wave);
   w.wavelength = goda.wavelength();
@@ -331,8 +333,13 @@ void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
   if (p.force != 0.) s.peak_over_goda = s.peak / p.force;
   s.stability = stability(w.section, p, still_water(w.section, water));
   s.standing = standing_answer(w.section, water, w.wave, factor);
-  const SlidingLoad load = sliding_load(w.section, water, p, w.wave.height, w.wave.period);
+  const SlidingLoad load = sliding_load(w.section, water, p, w.wave.height, w.wave.period, w.k);
   s.sliding = sliding_distance_exact(load.mass, load.resistance, load.pulse);
+  const double standing = Goda(w.section, water, w.wave).at(w.wave.height, PressureFormula::standing).force;
+  const CombinedWave both{w.wave.period, factor * standing, {p.force, load.pulse.duration}, p.uplift};
+  s.sliding_combined =
+      sliding_distance_combined(load.mass + added_mass(water.density, w.section.foundation_depth, w.combined),
+                                load.resistance, w.section.friction, both, w.combined);
 }
 
 NumberedWarning effective_force(const std::string& title, const WavePressure& p) {
@@ -433,7 +440,11 @@ std::shared_ptr<LoadSource> read_wave(const GivenLoad& given) {
   const Scene& scene = given.problem.scene;
   const auto source = [&] {
     try {
-      return wave_load(*given.table.wave, *given.problem.tables->section, {scene.fluid.density, scene.gravity});
+      const CaseTables& tables = *given.problem.tables;
+      const auto wave = wave_load(*given.table.wave, *tables.section, {scene.fluid.density, scene.gravity},
+                                  tables.duration.value_or(DurationFactor()));
+      wave->combined = tables.combined.value_or(CombinedModel());
+      return wave;
     } catch (const NumericsError& error) {
       throw InputError(given.place("wave.height"), error.what(),
                        "give a lower wave, or course = \"church_roof\", which is of waves that break");
@@ -470,12 +481,9 @@ Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& l
   Checks list;
   for (const WaveLoadSummary& w : waves)
     if (w.stability)
-      append(list,
-             formula_checks(FormulaAnswer{w.name, "", *w.stability, w.standing, w.sliding,
-                                          "eqs. (4) and (6) of Shimosako and Takahashi (1994), integrated; tau_0 = "
-                                          "k(alpha*) tau_0F",
-                                          "wave_loads." + w.name + "."},
-                            limits));
+      append(list, formula_checks({w.name, "", *w.stability, w.standing,
+                                   larger_sliding(*w.sliding, *w.sliding_combined), "wave_loads." + w.name + "."},
+                                  limits));
   return list;
 }
 

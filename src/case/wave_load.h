@@ -43,6 +43,8 @@ TableSchema<WaveLoadTable> wave_load_schema();
 struct WaveLoad : LoadSource {
   WaveLoadTable table;
   Section section;
+  DurationFactor k;        ///< of the pulse
+  CombinedModel combined;  ///< of S with the standing wave besides the pulse
   DesignWave wave;
   double wavelength = 0.;                  ///< L (m)
   WavePressure pressure;                   ///< by Goda's formulas, with alpha*
@@ -62,7 +64,8 @@ struct WaveLoad : LoadSource {
 
 /// The load of a table and a section without mistakes. Throws NumericsError where there is no standing wave of that
 /// height.
-std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water);
+std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water,
+                                    const DurationFactor& k = {});
 
 /// The pressures of a standing wave as a row on a wall whose still water is at the height `still` (m).
 Gauges row_on_wall(const StandingLoad& standing, double still);

@@ -14,6 +14,7 @@
 
 #include "base/interrupt.h"
 #include "base/text.h"
+#include "cli/respond_cases.h"
 #include "output/versions.h"
 #include "upbead/base/error.h"
 #include "upbead/case/case.h"
@@ -147,7 +148,6 @@ void check_case_of(int argc, char** argv) {
 }
 
 // A command has a file of its own, and a row here.
-Command respond_command();
 /// waves, expected and calibrate.
 std::vector<Command> design_commands();
 Command scale_command();
@@ -156,8 +156,8 @@ Command read_command();
 /// Writes a commented case to begin with.
 Command new_command();
 
-std::vector<Command> light_commands() {
-  return std::vector{respond_command()} + design_commands() +
+std::vector<Command> light_commands(std::optional<Command> respond) {
+  return std::vector{respond ? *respond : respond_command({})} + design_commands() +
          std::vector{scale_command(), read_command(), new_command()};
 }
 

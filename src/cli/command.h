@@ -98,8 +98,8 @@ Command reduce_command();
 Command study_command();
 Command reliability_command();
 
-/// All commands that need neither mesh nor solver.
-std::vector<Command> light_commands();
+/// All commands that need neither mesh nor solver; with the `respond` of a program that has both, where it is given.
+std::vector<Command> light_commands(std::optional<Command> respond = {});
 
 /// The exit code of a program that ends with `code` and has printed all that it had to say. Throws InputError where
 /// stdout has not taken all of it, as on a full disk; a reader that went away is no mistake, and is not told.

@@ -12,10 +12,16 @@ namespace upbead {
 
 namespace {
 
+/// Where a file is a case, too, the folder of its name is that of its run.
+std::string default_folder(const Design& design, const DesignWork& work) {
+  const bool is_case = design.document.find("loads") && design.document.find("mesh");
+  return "results/" + design.stem + (work.suffix.empty() && is_case ? "-waves" : work.suffix);
+}
+
 int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatch& since_start) {
   const Design design = read_design(options.file, options.overrides, work.checks);
   note_interrupts();
-  const std::string out = options.out.empty() ? "results/" + design.stem + work.suffix : options.out;
+  const std::string out = options.out.empty() ? default_folder(design, work) : options.out;
   require_inputs_kept(out, work.files, input_files(design));
   OutputFolder folder(out);
   const DesignOutput answer = work.answer(design, since_start);
@@ -23,7 +29,7 @@ int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatc
   folder.write("case.toml", effective_design(design, folder.name()));
   folder.write("summary.json", answer.json);
   check_interrupt();
-  folder.commit();
+  folder.commit({"results.h5", "sheet.md"});  // of another command, whose summary is replaced
   std::cerr << answer.warnings;
   std::cout << (options.json ? answer.json
                              : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
@@ -38,7 +44,10 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 DesignOutput waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {{}, to_json(design, answers), describe(design, answers) + "\n", describe(warnings_of(design, answers))};
+  return {{},
+          json_text(to_json(design, answers)),
+          describe(design, answers) + "\n",
+          describe(warnings_of(design, answers))};
 }
 
 DesignOutput expected(const Design& design, const Stopwatch& since_start) {
@@ -48,7 +57,7 @@ DesignOutput expected(const Design& design, const Stopwatch& since_start) {
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
   return {{{"results.h5", results}},
-          to_json(design, answer, timing),
+          json_text(to_json(design, answer, timing)),
           describe(design, answer),
           note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }
@@ -96,7 +105,7 @@ A design needs a section and at least one wave:
   height = 12.0              # H, the highest wave (m); or deep_water_height
   period = 12.0              # T (s)
 
-Writes into results/NAME (or --out DIR), all or nothing:
+Writes into results/NAME, of a file that is a case, too, results/NAME-waves (or --out DIR), all or nothing:
   summary.json   all numbers, SI units, one object a wave
   case.toml      the design with all defaults spelled out; runs again as it is
 Warnings about waves and sections that the formulas were not made for go to stderr and into summary.json.

@@ -34,6 +34,21 @@ nlohmann::ordered_json to_object(const Nested& nested) {
           {"time", nested.seconds}};
 }
 
+nlohmann::ordered_json to_object(const CircleModelMade& made) {
+  if (!made.model) return nullptr;
+  return {{"circles", made.model->family.circles.size()},
+          {"readings", made.model->family.n_readings()},
+          {"gap", made.model->gap},
+          {"time", made.seconds}};
+}
+
+std::string describe(const CircleModelMade& made) {
+  if (!made.model) return "";
+  return "circles     " + std::to_string(made.model->family.circles.size()) + " under the caisson, " +
+         significant(made.seconds, 2) + " s; their least factor was up to " + significant(100. * made.model->gap, 2) +
+         " % above that of a full search\n";
+}
+
 std::string describe(const Nested& nested) {
   if (!nested.models) return "";
   const NestedModels& m = *nested.models;
@@ -58,6 +73,7 @@ std::string to_json(const Reduced& made) {
   json["reduction"]["error_march"] = m.error_march ? nlohmann::ordered_json(*m.error_march) : nullptr;
   json["nested"] = to_object(made.nested);
   json["slip"] = to_object(made.slip);
+  if (made.circles.model) json["circles"] = to_object(made.circles);
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& part : made.skipped) json["skipped"].push_back({{"what", part.what}, {"why", part.why}});
   json["timing"] = {
@@ -87,7 +103,8 @@ std::string describe(const Reduced& made) {
           " of their own largest value (by nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += describe(made.nested);
-  text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip);
+  text +=
+      "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip) + describe(made.circles);
   for (const Skipped& part : made.skipped) text += "skipped     " + part.what + ": " + part.why + "\n";
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";

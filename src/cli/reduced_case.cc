@@ -9,6 +9,7 @@
 #include "case/case_run.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
+#include "findings/circle_ground.h"
 #include "findings/effective_base.h"
 #include "model/exclusions.h"
 #include "model/words.h"
@@ -116,8 +117,7 @@ Nested nest(const Simulation& simulation, const Reduction& reduction) {
 }
 
 /// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
-Simulation simulation_for_waves(Case& input) {
-  const Simulation simulation = simulation_of(input, settle_end(input));
+Simulation simulation_for_waves(const Case& input, const Simulation& simulation) {
   if (!simulation.compiled()->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
@@ -128,30 +128,48 @@ Simulation simulation_for_waves(Case& input) {
 }
 
 /// What the model of a case leaves out, in the words of a run.
-std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& slip, const Nested& nested) {
+std::vector<Skipped> skipped(const Simulation& simulation, const Reduced& made) {
   std::vector<Skipped> list;
-  if (!nested.why_not.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested.why_not});
-  if (!slip.why_not.empty()) list.push_back({"slip of the caisson with its ground", slip.why_not});
+  const std::string &nested = made.nested.why_not, &slip = made.slip.why_not, &circles = made.circles.why_not;
+  if (!nested.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested});
+  if (!slip.empty()) list.push_back({"slip of the caisson with its ground", slip});
+  if (!circles.empty()) list.push_back({"slip circles under the caisson", circles});
   if (simulation.with_interface())
     list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
   return list;
 }
 
-Reduction reduce_bonded(const Simulation& simulation, bool all_readings) {
+Reduction reduce_bonded(const Simulation& simulation, bool all_readings, bool circles) {
   Progress progress("reducing");
+  ReductionTargets targets{!all_readings, true, {}};
+  targets.pressures = circles;
   Reduction reduction =
-      reduce_scene(simulation.scene(), *simulation.compiled(), {!all_readings, true, {}}, watched(progress));
+      reduce_scene(simulation.scene(), *simulation.compiled(), targets, watched(progress), simulation.room().get());
   require_converged(reduction);
   return reduction;
+}
+
+CircleModelMade circles_of(const Simulation& simulation, const Reduction& reduction) {
+  Progress progress("seeking slip circles");
+  CircleModelMade made = circle_model(simulation, reduction);
+  if (made.model) join_pore_pressures(made.model->pressures);
+  return made;
 }
 
 }  // namespace
 
 Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder) {
-  const Simulation simulation = simulation_for_waves(input);
+  const Simulation simulation = simulation_of(input, settle_end(input));
+  return reduced_case(input, simulation, options, folder);
+}
+
+Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseModelOptions& options,
+                     const std::string& folder) {
+  const Simulation simulation = simulation_for_waves(input, of_case);
   const Stopwatch watch;
   Reduced made;
-  made.reduction = reduce_bonded(simulation, options.all_readings);
+  const bool may_have_circles = why_no_circles_in(simulation).empty();
+  made.reduction = reduce_bonded(simulation, options.all_readings, may_have_circles);
   made.timing = simulation.timing();
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
@@ -160,11 +178,13 @@ Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::st
     Progress progress("reducing with slip");
     made.slip = reduce_with_slip(simulation, made.reduction, watched(progress));
   }
-  made.skipped = skipped(simulation, made.slip, made.nested);
+  if (may_have_circles) made.circles = circles_of(simulation, made.reduction);
+  made.skipped = skipped(simulation, made);
   check_interrupt();
   made.file = model_of(input, simulation, made.reduction, folder);
   made.file.slip = made.slip.model;
   made.file.nested = made.nested.models;
+  made.file.circles = made.circles.model;
   if (options.against_march)
     made.file.error_march = error_against_march(made.reduction, simulation.scene(), *simulation.compiled());
   return made;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "findings/circle_model.h"
 #include "respond/respond_slip.h"
 #include "response/reduction.h"
 #include "run/sliding/coupled_sliding.h"
@@ -27,6 +28,7 @@ struct Reduced {
   ReducedSlip slip;
   std::vector<Skipped> skipped;
   Nested nested;
+  CircleModelMade circles;
   std::string path;
   Timing timing;
 };
@@ -37,7 +39,13 @@ struct CaseModelOptions {
 };
 
 /// Makes the model of the case, bonded, with progress on the terminal. `folder`: from where the model's own copy of the
-/// case sees its files. Throws InputError at the keys of a case that no reduced model can hold.
+/// case sees its files. Throws InputError at the keys of a case that no reduced model can hold, and NumericsError where
+/// the model does not converge.
 Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder);
+
+/// The same of a simulation of the case, whose System, converged soil and basis are used where they serve. The case's
+/// end must be settled.
+Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseModelOptions& options,
+                     const std::string& folder);
 
 }  // namespace upbead

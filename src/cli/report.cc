@@ -131,15 +131,22 @@ std::string error_of(const std::optional<double>& error) {
 /// P, F_T, their ratio, x_G and the error of F_T.
 std::string forces_of(const Summary& s) {
   const ShearResponse& r = *s.response;
+  const bool seaward = -r.peak_force_seaward > r.peak_force;  // as the ratio
+  const double shear = seaward ? r.peak_shear_seaward : r.peak_shear;
+  const double shear_time = seaward ? r.peak_shear_seaward_time : r.peak_shear_time;
+  const double force = seaward ? r.peak_force_seaward : r.peak_force;
+  const double force_time = seaward ? r.peak_force_seaward_time : r.peak_force_time;
   std::string text = "F_T / P     " +
                      (r.shear_to_force_ratio ? significant(*r.shear_to_force_ratio, 4)
                                              : std::string("none: no horizontal force acts")) +
                      (is_solved_with_friction(s) ? ", with friction node by node" : "") + ": F_T " +
-                     with_unit(r.peak_shear, "N/m", r.peak_force) + " at " + significant(r.peak_shear_time, 4) +
-                     " s, P " + with_unit(r.peak_force, "N/m") + " at " + significant(r.peak_force_time, 4) + " s\n";
+                     with_unit(shear, "N/m", std::abs(force)) + " at " + significant(shear_time, 4) + " s, P " +
+                     with_unit(force, "N/m") + " at " + significant(force_time, 4) + " s\n";
   text += "x_G         " + with_unit(r.largest_displacement, "m") + " at " +
-          significant(r.largest_displacement_time, 4) + " s, seaward F_T " +
-          with_unit(r.peak_shear_seaward, "N/m", r.peak_force) + "\n";
+          significant(r.largest_displacement_time, 4) + " s, " +
+          (seaward ? "landward F_T " + with_unit(r.peak_shear, "N/m", std::abs(force))
+                   : "seaward F_T " + with_unit(r.peak_shear_seaward, "N/m", force)) +
+          "\n";
   if (s.error)
     text += "error       up to " + percent(s.error->total()) + " of peak F_T, " + percent(s.history_error->total()) +
             " of it at any time\n";
@@ -181,6 +188,8 @@ std::string details(const Case& input, const Simulation& simulation, const std::
     text += "            until " + significant(simulation.given().time.end) + " s, " +
             settled_end(input, *simulation.mesh()).why + "\n";
   text += describe(yielding_extent(simulation));
+  if (!simulation.scene().construction.empty())
+    text += "built       " + join(stages_in_order(simulation.scene()), ", then ") + "; each stage drained\n";
   if (simulation.compiled()->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
             std::to_string(simulation.compiled()->system.interface->n_nodes()) +
@@ -216,6 +225,9 @@ std::string brief(const Summary& s) {
   if (s.residual)
     text += "at rest     x " + with_unit(s.residual->displacement_x, "m") + ", y " +
             with_unit(s.residual->displacement_y, "m") + ", turned " + significant(s.residual->rotation) + " rad\n";
+  if (s.construction && s.construction->caisson)
+    text += "before      settled " + with_unit(s.construction->caisson->settlement, "m") + ", turned " +
+            significant(s.construction->caisson->rotation) + " rad since it was set down, in no number above\n";
   if (!s.periods.empty()) text += periods_of(s.periods);
   return text + format("time        %.2f s; --details prints all else, summary.json has it\n", s.timing.total);
 }

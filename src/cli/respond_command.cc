@@ -9,7 +9,7 @@
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "cli/command.h"
+#include "cli/respond_cases.h"
 #include "output/wave_response.h"
 #include "respond/respond_waves.h"
 
@@ -70,6 +70,46 @@ std::string table(const std::vector<Named>& waves) {
   return text;
 }
 
+std::string factor_text(const std::optional<double>& factor) {
+  return factor ? significant(*factor, 4) : "none";
+}
+
+std::string circle_text(const std::optional<CircleInWave>& circle) {
+  if (!circle) return "none";
+  const std::string when = " at " + significant(circle->time) + " s";
+  if (circle->slips.empty()) return "0: the resultant leaves the base" + when;
+  return significant(circle->factor, 4) + " " + circle->slips + when;
+}
+
+/// The least factor of each way to fail, where the ground has circles.
+std::string factors(const std::vector<Named>& waves) {
+  if (std::none_of(waves.begin(), waves.end(), [](const Named& row) { return row.wave->circle; })) return "";
+  std::size_t width = 12;
+  for (const Named& row : waves) width = std::max(width, row.name.size() + 2);
+  std::string text = padded("least", width) + "sliding   seaward   overturning  slip circles\n";
+  for (const Named& row : waves) {
+    const WaveResponse& w = *row.wave;
+    text += padded(row.name, width) + padded(factor_text(w.least_sliding_factor), 10) +
+            padded(factor_text(w.least_sliding_factor_seaward), 10) +
+            padded(factor_text(w.least_overturning_margin), 13) + circle_text(w.circle) + "\n";
+  }
+  return text;
+}
+
+/// The least factors of many waves.
+std::string factors_overview(const std::vector<Named>& waves) {
+  const Named* worst = nullptr;
+  int below = 0;
+  for (const Named& row : waves) {
+    if (!row.wave->circle) continue;
+    if (row.wave->circle->factor < 1.) ++below;
+    if (!worst || row.wave->circle->factor < worst->wave->circle->factor) worst = &row;
+  }
+  if (!worst) return "";
+  return "circles     F below 1 in " + std::to_string(below) + " of them, least " + circle_text(worst->wave->circle) +
+         " in " + worst->name + "\n";
+}
+
 /// How many waves slide the caisson, and how far.
 std::string sliding_overview(const std::vector<Named>& waves, const std::string& title,
                              const std::function<double(const WaveResponse&)>& S) {
@@ -128,7 +168,7 @@ std::string describe(const ReducedModelFile& model, const std::vector<WaveRespon
   const std::vector<Named> waves = all_waves(files);
   std::string text = model.title + ", reduced to " + std::to_string(model.modes.n_modes()) + " modes: F_T within " +
                      significant(100. * model.error) + " % up to " + significant(model.highest_frequency) + " Hz\n";
-  text += waves.size() <= longest_table ? table(waves) : overview(waves);
+  text += waves.size() <= longest_table ? table(waves) + factors(waves) : overview(waves) + factors_overview(waves);
   text += "time        read " + significant(timing.read) + " s, respond " + significant(timing.respond) + " s";
   if (timing.respond > 0.)
     text += " (" + significant(static_cast<double>(waves.size()) / timing.respond) + " waves a second)";
@@ -176,6 +216,22 @@ NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector
            "tolerance, or march the wave with 'upbead run'"}};
 }
 
+/// Warning slip_circle: circles have less than what they need to stand.
+NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
+  const std::vector<Named> waves = all_waves(files);
+  const auto factor = [](const Named& row) { return row.wave->circle ? row.wave->circle->factor : HUGE_VAL; };
+  const auto n = std::count_if(waves.begin(), waves.end(), [&](const Named& row) { return factor(row) < 1.; });
+  if (n == 0) return {};
+  const Named& worst = *std::min_element(waves.begin(), waves.end(),
+                                         [&](const Named& a, const Named& b) { return factor(a) < factor(b); });
+  return {{"slip_circle", factor(worst), 1., "1",
+           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves the ground under the caisson would slip on a circle, worst in " + worst.name +
+               ": F = " + circle_text(worst.wave->circle) + " by Bishop's simplified method",
+           "widen the caisson or its berm, or give the mound more height; a factor below 1 of a moment is a permanent "
+           "displacement and not yet a collapse"}};
+}
+
 struct Arguments {
   std::string model;
   std::vector<std::string> forces;
@@ -196,6 +252,8 @@ void check(const Arguments& arguments) {
   require_positive(arguments.end, "--end", "2 (s)", mistakes);
   require_positive(arguments.friction, "--friction", "0.6", mistakes);
   require_positive(arguments.submerged_weight, "--buoyant-weight", "3.4e6 (N/m)", mistakes);
+  if (arguments.forces.empty() && !is_case(arguments.model))
+    mistakes.add(Place(), "there is no wave to answer", "give files of waves after the model, such as storm.csv");
   mistakes.throw_if_any();
 }
 
@@ -271,17 +329,42 @@ NumberedWarnings file_warnings(const std::vector<WaveFile>& files) {
   return list;
 }
 
-int respond(const Arguments& arguments, const Stopwatch& since_start) {
+/// Waves of files, then those that are the loads of cases; of a case alone its own.
+std::vector<WaveFile> waves_of(const Arguments& arguments, const RespondCases& cases, const ReducedModelFile& model) {
+  std::vector<std::string> files, of_cases;
+  for (const std::string& path : arguments.forces) (is_case(path) ? of_cases : files).push_back(path);
+  if (arguments.forces.empty()) of_cases.push_back(arguments.model);
+  std::vector<WaveFile> waves;
+  if (!files.empty()) waves = read_wave_files(files, model.modes.load_name, units_of_loads(model));
+  for (const std::string& path : of_cases) {
+    WaveFile wave = cases.wave(path, model);
+    const auto has_name = [&wave](const WaveFile& other) { return other.name == wave.name; };
+    while (std::any_of(waves.begin(), waves.end(), has_name)) wave.name += "-case";
+    waves.push_back(std::move(wave));
+  }
+  return waves;
+}
+
+int respond(const Arguments& arguments, const RespondCases& cases, const Stopwatch& since_start) {
   check(arguments);
   RespondTiming timing;
-  const ReducedModelFile model = read_model_file(arguments.model);
-  const RespondOptions options{arguments.end, sliding_of(arguments, model)};
-  const std::vector<WaveFile> waves = read_wave_files(arguments.forces, model.modes.load_name, units_of_loads(model));
-  timing.read = since_start.seconds();
-  note_interrupts();
   const std::string out = arguments.out.empty() ? "results/" + model_name(arguments.model) + "-respond" : arguments.out;
-  require_inputs_kept(out, {"responses.h5", "summary.json"}, input_files(arguments));
-  OutputFolder folder(out);
+  const bool makes_model = is_case(arguments.model);
+  std::vector<std::string> written{"responses.h5", "summary.json"};
+  if (makes_model) written.push_back("reduced.h5");
+  std::optional<OutputFolder> place;
+  const auto open_folder = [&] {
+    note_interrupts();
+    require_inputs_kept(out, written, input_files(arguments));
+    place.emplace(out);
+  };
+  if (makes_model) open_folder();
+  const ReducedModelFile model = makes_model ? cases.model(arguments.model, *place) : read_model_file(arguments.model);
+  const RespondOptions options{arguments.end, sliding_of(arguments, model)};
+  const std::vector<WaveFile> waves = waves_of(arguments, cases, model);
+  timing.read = since_start.seconds();
+  if (!makes_model) open_folder();
+  OutputFolder& folder = *place;
 
   const Stopwatch respond_watch;
   const std::vector<WaveResponses> responses = respond_to_waves(model, waves, options);
@@ -291,8 +374,8 @@ int respond(const Arguments& arguments, const Stopwatch& since_start) {
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
   NumberedWarnings warnings = file_warnings(waves);
-  for (const NumberedWarnings& more :
-       {band_warnings(model, responses), error_warnings(model, responses), slip_warnings(responses)})
+  for (const NumberedWarnings& more : {band_warnings(model, responses), error_warnings(model, responses),
+                                       slip_warnings(responses), circle_warnings_of(responses)})
     append(warnings, more);
   const std::string json = to_json(model, arguments.model, responses, timing, warnings);
   folder.write("summary.json", json);
@@ -301,33 +384,43 @@ int respond(const Arguments& arguments, const Stopwatch& since_start) {
   std::cerr << notes_of(waves) << describe(warnings);
   std::cout << (arguments.json ? json
                                : describe(model, responses, timing) + "written     " + folder.name() +
-                                     "/{responses.h5, summary.json}\n");
+                                     "/{responses.h5, summary.json" + (makes_model ? ", reduced.h5}\n" : "}\n"));
   return 0;
 }
 
 const char* const respond_footer =
     R"(A wave is linear between its times, and zero before and after them; times need not be equally spaced.
   waves.csv   time (s), then columns named like the loads of the case (any name where there is one load)
+  case.toml   its loads, at the times at which a run reads them
   waves.h5    /time (N) and /LOAD of shape N, or waves x N for thousands of waves at once
 
 Writes into results/NAME-respond (or --out DIR), all or nothing:
   responses.h5   per file of waves: time, force, shear_force, peaks, ratio, sliding,
                  sliding_coupled; SI units
-  summary.json   peaks and ratio of every wave, times
+  summary.json   peaks, ratio and least factors of every wave, times
+  reduced.h5     where MODEL is a case
 
 Examples:
   upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv
+  upbead respond cases/designer/section.toml         # one file: reduced, then its own wave, with all ways to fail
   upbead respond prototype.h5 storm.h5 --friction 0.6 --buoyant-weight 3.4e6
   upbead respond prototype.h5 waves/*.csv --json | jq '.waves[] | [.name, .peak_shear]')";
 
 }  // namespace
 
-Command respond_command() {
+bool is_case(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".toml";
+}
+
+Command respond_command(const RespondCases& cases) {
   const auto arguments = std::make_shared<Arguments>();
   Command command{"respond", "answer any number of waves with a reduced model"};
   command.options = {
-      {"MODEL", &arguments->model, "the model, made by 'upbead reduce' (.h5)", "", true},
-      {"FORCES", &arguments->forces, "waves (.csv, .h5)", "", true},
+      {"MODEL", &arguments->model,
+       "the model, made by 'upbead reduce' (.h5), or a case (.toml), which is reduced first", "", true},
+      {"FORCES", &arguments->forces,
+       "waves (.csv, .h5), or cases whose loads are a wave (.toml); of a case as MODEL its "
+       "own loads, where none are given"},
       {"--json", &arguments->json, "print the summary as JSON on stdout and nothing else"},
       {"--out", &arguments->out,
        "folder for the results (default: results/NAME-respond, NAME as the model's file, or as its folder if the file "
@@ -340,7 +433,7 @@ Command respond_command() {
       {"--buoyant-weight", &arguments->submerged_weight,
        "W' of the caisson in still water, for S (default: [sliding] of the model's case)", "N/m"}};
   command.footer = respond_footer;
-  command.work = [arguments, since_start = Stopwatch()] { return respond(*arguments, since_start); };
+  command.work = [arguments, cases, since_start = Stopwatch()] { return respond(*arguments, cases, since_start); };
   return command;
 }
 

@@ -17,6 +17,7 @@
 #include "cli/report.h"
 #include "findings/histories.h"
 #include "model/exclusions.h"
+#include "output/cell_fields.h"
 #include "output/fields.h"
 #include "upbead/algebra/processes.h"
 #include "upbead/base/error.h"
@@ -41,6 +42,21 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
   return solve(input, simulation, records, options);
 }
 
+const char* const cycles_file = "cycles.vtu";
+
+/// What a storm left in the ground, by cell; "" where no fields are asked for or there was no storm.
+std::string cycle_fields(const Run& run) {
+  const auto& cycles = run.summary.cycles;
+  if (!run.simulation->scene().fields_every || !cycles) return "";
+  const CycleFields& f = *cycles->fields;
+  return cell_fields_vtu(*run.simulation->mesh(), {{"effective_stress_at_rest_(Pa)", f.effective_stress},
+                                                   {"cyclic_shear_(Pa)", f.shear},
+                                                   {"residual_pressure_(Pa)", f.pressure},
+                                                   {"largest_pressure_ratio_(1)", f.largest_ratio},
+                                                   {"compaction_(1)", f.compaction},
+                                                   {"drained_strain_(1)", f.drained}});
+}
+
 /// Writes all files but the fields themselves; returns the summary as JSON.
 std::string write(const Case& input, const std::vector<MeasuredRecord>& records, Run& run, const FieldOutput& fields,
                   const Stopwatch& since_start, OutputFolder& folder) {
@@ -50,6 +66,8 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
   for (Dataset& table : measured_tables(records)) all.push_back(std::move(table));
   folder.write("results.h5", dataset_file(input.scene.title, all));
   if (!input.scene.output_times.empty()) folder.write("times.csv", times_csv(run));
+  if (const std::string fields_of_storm = cycle_fields(run); !fields_of_storm.empty())
+    folder.write(cycles_file, fields_of_storm);
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
@@ -57,7 +75,7 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
   std::string json = to_json(run.summary);
   folder.write("summary.json", json);
   check_interrupt();
-  std::vector<std::string> replaced{"times.csv"};  // an older times.csv would belong to another run
+  std::vector<std::string> replaced{"times.csv", "sheet.md", cycles_file};  // older ones would belong to another run
   replaced.insert(replaced.end(), field_files.begin(), field_files.end());
   folder.commit(replaced);
   return json;
@@ -65,7 +83,7 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
 
 /// Patterns of the files that a run may write.
 std::vector<std::string> run_files() {
-  std::vector<std::string> files{"results.h5", "times.csv", "summary.json", "case.toml"};
+  std::vector<std::string> files{"results.h5", "times.csv", cycles_file, "summary.json", "case.toml"};
   files.insert(files.end(), field_files.begin(), field_files.end());
   return files;
 }
@@ -133,6 +151,7 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   checkpoints->remove();
   const std::string written = folder->name() + "/{results.h5, " +
                               (input.scene.output_times.empty() ? "" : "times.csv, ") + "summary.json, case.toml" +
+                              (input.scene.fields_every && result.summary.cycles ? ", cycles.vtu" : "") +
                               (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json

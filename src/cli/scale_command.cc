@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "case/case_schema.h"
 #include "case/input_files.h"
 #include "case/scale.h"
 #include "cli/command.h"
@@ -46,9 +47,20 @@ std::string describe(const ScaledCase& scaled, const ScaleOptions& options) {
   return text + "the same, kept: " + join(scaled.kept) + "\n";
 }
 
+/// Warning design_not_scaled: tables of a design, which the scaled case lacks.
+NumberedWarnings warnings_of(const Case& problem) {
+  std::vector<std::string> names;
+  for (const std::string& name : tables_of_designs())
+    if (problem.document.find(name)) names.push_back("[" + name + "]");
+  if (names.empty()) return {};
+  return {{"design_not_scaled", static_cast<double>(names.size()), 0., "1",
+           "the scaled case lacks " + join(names, ", ") + ", which the file holds for waves, expected and sheet",
+           "scale those tables by hand"}};
+}
+
 int scale(const ScaleOptionsOfCommand& options) {
   const Case problem = read_case(options.file, options.overrides);
-  std::cerr << notes_on(problem);
+  std::cerr << notes_on(problem) << describe(warnings_of(problem));
   const std::string name = options.out.empty() ? "results/" + problem.stem + "-scaled" : options.out;
   const ScaleOptions wanted{options.factor, options.soil == "same" ? SoilScaling::same : SoilScaling::froude,
                             options.ratios};

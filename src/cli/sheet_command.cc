@@ -7,9 +7,11 @@
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/text.h"
 #include "case/case_findings.h"
 #include "case/case_run.h"
 #include "case/input_files.h"
+#include "case/scene_text.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
 #include "cli/reduced_case.h"
@@ -18,6 +20,7 @@
 #include "design/waves_report.h"
 #include "findings/histories.h"
 #include "output/result_file.h"
+#include "run/derived.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -27,8 +30,11 @@ namespace {
 /// What the tables of a file ask for.
 struct Asked {
   explicit Asked(const Document& file)
-      : waves(file.find("waves")), run(file.find("loads")), life(file.find("sea") || file.find("storms")) {}
-  bool waves, run, life;
+      : waves(file.find("waves")),
+        run(file.find("loads")),
+        life(file.find("sea") || file.find("storms")),
+        chances(file.find("reliability")) {}
+  bool waves, run, life, chances;
 };
 
 /// The file as a case and as a design, as far as it is one.
@@ -79,15 +85,26 @@ struct Done {
   Json summary;
 };
 
+const char* const not_by_sheet =
+    "[reliability] is asked for, and no probability is on this sheet: 'upbead reliability' computes them";
+
 Done no_part(const std::string& name, const std::string& why) {
   return {{name, {}, {}, why}, Json()};
 }
+
+/// The run of the sheet, and what of it serves the life. Empty where the file asks for none.
+struct SolvedScene {
+  Done done;
+  std::optional<Case> problem;  ///< with its end
+  /// With its soil converged; where the caisson may slip, as it was before, as its System then has loads of its own.
+  std::shared_ptr<const Simulation> simulation;
+};
 
 Done waves_part(const SheetInput& input) {
   if (!input.asked.waves) return no_part("waves", "no [waves.NAME]: no wave is checked by formulas at all levels");
   const std::vector<WaveAnswer> answers = answer_waves(input.design->tables);
   return {{"waves", checks_of(input.design->tables, answers), warnings_of(*input.design, answers), ""},
-          Json::parse(to_json(*input.design, answers))};
+          to_json(*input.design, answers)};
 }
 
 /// The design with the reduced model of the same file's scene, by which every wave of a life has its own dynamics; or
@@ -97,40 +114,62 @@ struct DesignWithModel {
   std::string why_none;
 };
 
-DesignWithModel with_model(const SheetInput& input, OutputFolder& folder) {
-  DesignWithModel out{*input.design, ""};
-  if (out.design.tables.dynamics) return out;
-  if (!input.asked.run) return {out.design, "no [mesh] and [loads.NAME]: waves have no dynamics of their own"};
-  Case problem = *input.scene;
+DesignWithModel with_model(const Design& design, const SolvedScene& solved, const OutputFolder& folder) {
+  if (design.tables.dynamics) return {design, ""};
+  if (!solved.problem) return {design, "no [mesh] and [loads.NAME]: waves have no dynamics of their own"};
+  const auto refused = [&](const std::exception& error) {
+    std::filesystem::remove(folder.path("reduced.h5"));  // nothing was computed by it
+    return DesignWithModel{design, error.what()};
+  };
   try {
-    folder.write("reduced.h5", model_file(reduced_case(problem, {}, folder.name()).file));
+    folder.write("reduced.h5", model_file(reduced_case(*solved.problem, *solved.simulation, {}, folder.name()).file));
+    DesignWithModel out{design, ""};
     out.design.tables.dynamics.emplace().model = folder.path("reduced.h5");
     Diagnostics mistakes;
     check_expected(out.design.tables, out.design.document, mistakes);
     mistakes.throw_if_any();
     return out;
   } catch (const InputError& error) {
-    return {*input.design, error.what()};
+    return refused(error);
+  } catch (const NumericsError& error) {
+    return refused(error);
   }
 }
 
-Done expected_part(const SheetInput& input, OutputFolder& folder) {
+/// Warning model_of_other_scene: the life takes its dynamics from a model that is not of the file's scene.
+NumberedWarnings model_warnings(const SheetInput& input, const OutputFolder& folder) {
+  const auto& dynamics = input.design->tables.dynamics;
+  if (!dynamics || !input.scene) return {};
+  const std::string model = read_model_file(input.design->resolve(dynamics->model)).case_text;
+  const std::vector<std::string> names = tables_that_differ(model, effective_case(*input.scene, folder.name()));
+  if (names.empty()) return {};
+  return {{"model_of_other_scene", static_cast<double>(names.size()), 0., "1",
+           "the life has the dynamics of '" + dynamics->model +
+               "', which is of another scene than this file: they "
+               "differ in " +
+               join(names, ", "),
+           "leave [dynamics] model out, so that the sheet reduces its own scene"}};
+}
+
+Done expected_part(const SheetInput& input, const SolvedScene& solved, const OutputFolder& folder) {
   if (!input.asked.life)
     return no_part("expected", "no [sea] or [storms]: nothing is known of the sliding distance of a life");
-  const DesignWithModel with = with_model(input, folder);
+  const DesignWithModel with = with_model(*input.design, solved, folder);
   const ExpectedAnswer answer = find_expected(with.design);
   NumberedWarnings warnings = warnings_of(with.design, answer);
+  append(warnings, model_warnings(input, folder));
   if (!with.why_none.empty())
     warnings.push_back({"no_own_dynamics", 0., 0., "", "the life is by formulas alone: " + with.why_none,
                         "read S and pressures of the life as those of formulas"});
-  return {{"expected", checks_of(with.design, answer), warnings, ""}, Json::parse(to_json(with.design, answer, {}))};
+  return {{"expected", checks_of(with.design, answer), warnings, ""}, to_json(with.design, answer, {})};
 }
 
-Done run_part(const SheetInput& input, OutputFolder& folder) {
-  if (!input.asked.run) return no_part("run", "no [loads.NAME]: nothing is known of F_T, its dynamics and the ground");
+SolvedScene run_part(const SheetInput& input, const OutputFolder& folder) {
+  if (!input.asked.run)
+    return {no_part("run", "no [loads.NAME]: nothing is known of F_T, its dynamics and the ground"), {}, nullptr};
   Case problem = *input.scene;
   std::shared_ptr<const Mesh> mesh = settle_end(problem);
-  const Simulation simulation = simulation_of(problem, std::move(mesh));
+  const Simulation simulation = with_room(simulation_of(problem, std::move(mesh)));
   const std::vector<MeasuredRecord> records = read_records(problem, simulation);
   Progress line("solving");
   RunOptions options;
@@ -140,7 +179,9 @@ Done run_part(const SheetInput& input, OutputFolder& folder) {
   };
   const Run run = solve(problem, simulation, records, options);
   folder.write("results.h5", dataset_file(problem.scene.title, tables(run)));
-  return {{"run", run.summary.checks, run.summary.warnings, ""}, summary_outputs().to_json(run.summary)};
+  return {{{"run", run.summary.checks, run.summary.warnings, ""}, summary_outputs().to_json(run.summary)},
+          std::move(problem),
+          simulation.compiled()->system.interface ? std::make_shared<const Simulation>(simulation) : run.simulation};
 }
 
 int work(const CaseOptions& options) {
@@ -155,8 +196,13 @@ int work(const CaseOptions& options) {
   if (input.design) append(files, input_files(*input.design));
   require_inputs_kept(out, {"summary.json", "sheet.md", "case.toml", "results.h5", "reduced.h5"}, files);
   OutputFolder folder(out);
-  const std::vector<Done> parts{waves_part(input), run_part(input, folder), expected_part(input, folder)};
-  const Sheet sheet = sheet_of(input.title, {parts[0].part, parts[1].part, parts[2].part});
+  const Done waves = waves_part(input);
+  const SolvedScene solved = run_part(input, folder);
+  const std::vector<Done> parts{waves, solved.done, expected_part(input, solved, folder)};
+  const Limits& limits = input.scene ? input.scene->scene.limits : input.design->tables.limits;
+  std::vector<SheetPart> told{parts[0].part, parts[1].part, parts[2].part};
+  if (input.asked.chances) told.push_back(no_part("reliability", not_by_sheet).part);
+  const Sheet sheet = sheet_of(input.title, std::move(told), limits);
   Json json = to_json(sheet);
   for (const Done& done : parts) json[done.part.name] = done.summary;
   const std::string text = json_text(json);

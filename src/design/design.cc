@@ -110,7 +110,8 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
   Diagnostics report;
   design_schema().read(design.document.root(), "", design.tables, report);
   design.tables.water.gravity = design.tables.gravity;
-  for (const DesignCheck check : {check_section, check_waves, check_ground, check_water_levels, check_impact_table})
+  for (const DesignCheck check :
+       {check_section, check_waves, check_ground, check_water_levels, check_what_acts, check_impact_table})
     check(design.tables, design.document, report);
   for (const DesignCheck check : further) check(design.tables, design.document, report);
   report.throw_if_any(path);

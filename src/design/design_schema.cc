@@ -25,33 +25,6 @@ TableSchema<Water> sea_water_schema() {
   return table;
 }
 
-TableSchema<DurationFactor> duration_schema() {
-  TableSchema<DurationFactor> table;
-  table.key("a", &DurationFactor::a, "", "exponent a of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0.001, 10.));
-  table.key("b", &DurationFactor::b, "", "exponent b of k = 1 / (alpha*^a + 1)^b, eq. (9)").range(from_to(0., 100.));
-  return table;
-}
-
-TableSchema<CombinedModel> combined_schema() {
-  TableSchema<CombinedModel> table;
-  table
-      .key("added_mass_factor", &CombinedModel::added_mass_factor, "",
-           "added mass M_a over rho h'^2; the default is that of rigid walls in incompressible water on both sides")
-      .range(from_to(0., 10.));
-  const std::vector<std::pair<std::string, UpliftShape>> shapes{{"in_phase", UpliftShape::in_phase},
-                                                                {"sinusoidal", UpliftShape::sinusoidal}};
-  table.choice("uplift", &CombinedModel::uplift, shapes,
-               "course of U; in_phase: proportional to P; sinusoidal: uplift_gain U sin(2 pi t / T)");
-  table
-      .key("uplift_gain", &CombinedModel::uplift_gain, "",
-           "factor gamma_U of a sinusoidal uplift; unsettled in the sources at hand")
-      .range(from_to(0., 100.))
-      .when(
-          "uplift", [](const CombinedModel& model) { return model.uplift == UpliftShape::sinusoidal; },
-          "where the uplift is sinusoidal");
-  return table;
-}
-
 TableSchema<ElasticBase> ground_schema() {
   TableSchema<ElasticBase> table;
   table.key("stiffness", &ElasticBase::stiffness, "N/m2", "horizontal stiffness of the ground under the caisson")

@@ -170,6 +170,24 @@ OutputSchema<BaseOfLives> base_of_lives_outputs() {
               "least margin against overturning in a life");
 }
 
+OutputSchema<WaysOfLives> ways_of_lives_outputs() {
+  using W = WaysOfLives;
+  return OutputSchema<W>()
+      .object("sliding_factor", &W::sliding, worst_of_lives_outputs("", "below"),
+              "least mu N'/F_T in a life while F_T acts landward; `limit` 1: below it the caisson starts to slide")
+      .object("sliding_factor_seaward", &W::sliding_seaward, worst_of_lives_outputs("", "below"), "the same seaward")
+      .object("overturning_margin", &W::overturning, worst_of_lives_outputs("", "below"),
+              "least margin against overturning in a life; `limit`: `limits.overturning`, or 1")
+      .object("heel_pressure", &W::heel_pressure, worst_of_lives_outputs("Pa", "above"),
+              "largest pressure of the landward edge in a life, in motion, against `limits.dynamic_base_pressure`")
+      .object("toe_pressure", &W::toe_pressure, worst_of_lives_outputs("Pa", "above"), "the same of the seaward edge")
+      .object("circles", &W::circles, worst_of_lives_outputs("", "below"),
+              "least factor of slip circles under the caisson in a life; `limit`: `limits.circles`, or 1")
+      .key("waves", &W::waves, "", "answered for that, in all lives")
+      .key("lower_worse", &W::lower_worse, "",
+           "largest share by which a factor under a lower wave of some of the seas is below that under the highest");
+}
+
 Json probabilities(const MonteCarlo& found) {
   Json json;
   for (const Exceeded& e : found.statistics.exceeded)
@@ -208,7 +226,10 @@ OutputSchema<MonteCarlo> lives_by_law_outputs() {
           "base", &M::base, base_of_lives_outputs(),
           "what presses on the base at its worst in a life, by Goda's formulas with alpha_I; with the law `dynamic` "
           "by the reduced model, in motion, against `limits.dynamic_base_pressure`")
-      .reason("why_no_base", &M::why_no_base, "why `base` is null");
+      .reason("why_no_base", &M::why_no_base, "why `base` is null")
+      .object("ways", &M::ways, ways_of_lives_outputs(),
+              "the worst of every way to fail in a life, by the reduced model under the worst wave of each storm; null "
+              "where it has no slip circles, and by formulas");
 }
 
 OutputSchema<Told> lives_outputs() {
@@ -291,12 +312,12 @@ std::vector<OutputRow> rows_of_expected() {
   return expected_outputs().rows();
 }
 
-std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
+Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
   ToldExpected told{&design, &answer, &timing, {}, {}, checks_of(design, answer), warnings_of(design, answer), {}};
   if (!answer.total.empty()) told.expected = headline_of(answer.total);
   if (answer.monte_carlo) told.of_life = headline_of(*answer.monte_carlo, answer.formula_lives);
   if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);
-  return expected_outputs().text(told);
+  return expected_outputs().to_json(told);
 }
 
 }  // namespace upbead

@@ -101,6 +101,7 @@ WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, c
                                       reading::uplift_moment};
   if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))
     for (const char* name : base) model.shear.base.push_back(file.modes.index(name));
+  if (file.circles) model.shear.circles = std::make_shared<const CircleModel>(*file.circles);
   return model;
 }
 
@@ -133,6 +134,7 @@ void Laws::read_model(const Design& design, const std::vector<SeaState>& record)
   double longest = 0.;
   for (const SeaState& state : record) longest = std::max(longest, 0.5 * state.period);
   model_ = {model.title, model.load, table.step.value_or(rise / steps_of_a_rise), rise};
+  circles_ = model.shear.circles;
   answer_ = std::make_shared<const ShearAnswer>(model.shear, model_->step, longer_by_scatter * longest);
 }
 
@@ -153,6 +155,23 @@ std::optional<WorstBase> Laws::base(Law law, const DrawnWave& wave) const {
 std::string Laws::why_no_dynamic_base() const {
   if (!answer_) return "no [dynamics] gives a reduced model";
   return answer_->knows_base() ? "" : "the reduced model has no readings of the normal force and moment of the base";
+}
+
+WaysToFail Laws::ways(const DrawnWave& wave) const {
+  return *dynamic(wave.sea)->ways(wave.height, wave.factors);
+}
+
+WaysToFail Laws::ways_at_rest() const {
+  const SeaState calm{1., 10., 1., 0., 0.};
+  const WorstBase base = WaveForces(breakwater_, calm).base(0., {});
+  const Section& s = breakwater_.section;
+  const double weight_moment = s.submerged_weight * (0.5 * s.width - s.centroid.value_or(0.5 * s.width));
+  WaysToFail ways;
+  ways.heel_pressure = base.heel_pressure;
+  ways.toe_pressure = base.toe_pressure;
+  const auto found = least_factor(*answer_->circles(), {s.submerged_weight, 0., weight_moment}, nullptr);
+  if (found) ways.circles = found->factor;
+  return ways;
 }
 
 std::vector<Law> Laws::known() const {

@@ -56,6 +56,14 @@ class Laws {
   std::optional<WorstBase> base(Law law, const DrawnWave& wave) const;
   /// Why the law `dynamic` gives no results for the base; "" where it gives them.
   std::string why_no_dynamic_base() const;
+  /// Whether ways() has an answer: the reduced model has slip circles, and readings of the base.
+  bool knows_ways() const { return answer_ && answer_->circles(); }
+  /// Every way to fail in a wave, by the reduced model; only where they are known.
+  WaysToFail ways(const DrawnWave& wave) const;
+  /// The same at rest.
+  WaysToFail ways_at_rest() const;
+  /// The model's circles; null where there are none.
+  const CircleModel* circles() const { return circles_.get(); }
   /// The laws that can be made.
   std::vector<Law> known() const;
   /// The default law: dynamic where there is a model, else exact.
@@ -69,6 +77,7 @@ class Laws {
   ImpactAssumptions impact_;
   std::optional<ModelUsed> model_;
   std::shared_ptr<const ShearAnswer> answer_;
+  std::shared_ptr<const CircleModel> circles_;
 };
 
 }  // namespace upbead

@@ -90,6 +90,16 @@ std::string describe(const BaseOfLives& base) {
          describe("margin", base.overturning_margin, margin_text, "below");
 }
 
+/// Of those ways that only lives with slip circles know.
+std::string describe(const WaysOfLives& ways) {
+  return "  every way to fail, under the worst wave of each storm (" + significant(ways.waves, 6) +
+         " waves answered; a lower one is up to " + significant(100. * ways.lower_worse, 2) +
+         " % less safe); the least of a life:\n" + describe("circles", ways.circles, margin_text, "below") +
+         describe("mu N'/F_T", ways.sliding, margin_text, "below") +
+         describe("seaward", ways.sliding_seaward, margin_text, "below") +
+         describe("overturning", ways.overturning, margin_text, "below");
+}
+
 std::string describe(const MonteCarlo& found, const LifeTable& life) {
   const LifeStatistics& s = found.statistics;
   std::string text = format("life        %d lives of %.4g years, law %s, seed %d; %s waves, S computed for %s\n",
@@ -110,7 +120,8 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
   for (const Exceeded& e : s.exceeded)
     text += format("  S > %-4g m  %.4g %%, 95 %% between %.3g and %.3g %%\n", e.limit, 100. * e.probability,
                    100. * e.interval[0], 100. * e.interval[1]);
-  return text + (found.base ? describe(*found.base) : "  heel        no value: " + found.why_no_base + "\n");
+  text += found.base ? describe(*found.base) : "  heel        no value: " + found.why_no_base + "\n";
+  return text + (found.ways ? describe(*found.ways) : "");
 }
 
 std::string describe(const Headline& headline) {
@@ -190,6 +201,15 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
     datasets.push_back(some_of_base("lives/eccentricity", "m", "largest of each life", base.eccentricity.values));
     datasets.push_back(
         some_of_base("lives/overturning_margin", "1", "least of each life", base.overturning_margin.values));
+  }
+  if (answer.monte_carlo && answer.monte_carlo->ways) {
+    const WaysOfLives& ways = *answer.monte_carlo->ways;
+    const std::string least = "least of each life, by the worst wave of each storm";
+    datasets.push_back(some_of_base("lives/ways/circles", "1", "F of slip circles, " + least, ways.circles.values));
+    datasets.push_back(some_of_base("lives/ways/sliding_factor", "1", "mu N'/F_T, " + least, ways.sliding.values));
+    datasets.push_back(
+        some_of_base("lives/ways/sliding_factor_seaward", "1", "the same seaward", ways.sliding_seaward.values));
+    datasets.push_back(some_of_base("lives/ways/overturning_margin", "1", "margin, " + least, ways.overturning.values));
   }
   return dataset_file(design.tables.title, datasets);
 }

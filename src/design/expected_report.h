@@ -70,6 +70,14 @@ struct BaseOfLives {
   WorstOfLives heel_pressure, toe_pressure, eccentricity, overturning_margin;
 };
 
+/// The worst of every way to fail in each life, over the worst wave of each of its storms.
+struct WaysOfLives {
+  WorstOfLives sliding, sliding_seaward, overturning, heel_pressure, toe_pressure, circles;
+  double waves = 0.;  ///< answered, in all lives
+  /// The largest share by which a factor under a lower wave of some of the seas is below that under the highest.
+  double lower_worse = 0.;
+};
+
 struct MonteCarlo {
   Law law = Law::exact;
   LifeStatistics statistics;
@@ -81,6 +89,7 @@ struct MonteCarlo {
   std::optional<double> without_scatter;  ///< expectation of a life by quadrature, where only heights scatter (m)
   std::optional<BaseOfLives> base;
   std::string why_no_base;
+  std::optional<WaysOfLives> ways;  ///< where the reduced model has slip circles
   double seconds = 0.;
 };
 
@@ -122,7 +131,7 @@ struct ExpectedTiming {
 };
 
 /// Throws NumericsError where a number is not finite.
-std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
+Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.

@@ -80,13 +80,32 @@ void add_share(const MonteCarlo& lives, const std::string& key, const Limits& li
                  lives.law));
 }
 
+/// Of each way to fail that only lives with slip circles know: the median of all lives, and the share beyond.
+void add_ways(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
+  if (!lives.ways) return;
+  const std::string of_half = "the median of all lives, of the least of each";
+  const auto add = [&](const std::string& name, const WorstOfLives& worst, const std::string& measure,
+                       const std::optional<double>& limit) {
+    const Check check =
+        check_of(name + ", of the median life", "", number_or_none(median(worst)), key + ".ways." + measure,
+                 of_half + "; below " + significant(worst.beyond->limit) + " in " +
+                     significant(100. * worst.beyond->probability, 3) + " % of the lives");
+    list.push_back(
+        routed(check.demand ? at_least_as(check, limit) : not_checked(check, "nothing acts that way"), lives.law));
+  };
+  add("slip circles", lives.ways->circles, "circles", limits.circles);
+  add("friction over F_T", lives.ways->sliding, "sliding_factor", {});
+  add("friction over F_T seaward", lives.ways->sliding_seaward, "sliding_factor_seaward", {});
+}
+
 void add_lives(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
   add_share(lives, key, limits, list);
+  add_ways(lives, key, limits, list);
   if (!lives.base) return;
   const BaseOfLives& base = *lives.base;
   const WorstBase of_half{median(base.heel_pressure), median(base.toe_pressure), 0., median(base.overturning_margin)};
-  add_base({"of a life", key + ".base", "the median of all lives, of the worst of each", lives.law}, of_half, limits,
-           list);
+  add_base({"of the median life", key + ".base", "the median of all lives, of the worst of each", lives.law}, of_half,
+           limits, list);
 }
 
 Check distance_check(const std::string& name, const Headline& headline, const std::string& measure,
@@ -171,6 +190,8 @@ void add_beyond(const MonteCarlo& lives, const Limits& limits, NumberedWarnings&
     if (const auto& e = base.overturning_margin.beyond)
       add(*e, "have a margin against overturning" + motion + " below", significant(e->limit));
   }
+  if (lives.ways && limits.circles)
+    add(*lives.ways->circles.beyond, "have slip circles in motion below", significant(*limits.circles));
   if (parts.empty()) return;
   list.push_back({"lives_beyond_limit", most, 0., "1",
                   "by the law " + std::string(word(lives.law)) + " " + join(parts, "; ") +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "base/progress.h"
 #include "base/stopwatch.h"
@@ -134,11 +135,12 @@ StormSource source_of(const Design& design) {
 }
 
 /// `side` = -1: values below the limit are beyond it.
-WorstOfLives worst_of_lives(const std::vector<WorstBase>& lives, double WorstBase::*member,
-                            const std::optional<double>& limit, double side = 1.) {
+template <class Worst>
+WorstOfLives worst_of_lives(const std::vector<Worst>& lives, double Worst::*member, const std::optional<double>& limit,
+                            double side = 1.) {
   WorstOfLives out;
   std::vector<double> turned;
-  for (const WorstBase& life : lives) {
+  for (const Worst& life : lives) {
     out.values.push_back(life.*member);
     turned.push_back(side * life.*member);
   }
@@ -173,6 +175,66 @@ void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Li
               worst_of_lives(found, &WorstBase::overturning_margin, limits.overturning, -1.)};
 }
 
+/// Every way to fail in a life: under the worst wave of each storm by Goda's formulas; of very many storms under those
+/// of the worst.
+WaysToFail ways_of_life(const Laws& laws, std::vector<DrawnWave> storms, const WaysToFail& at_rest, double& answered) {
+  constexpr std::size_t most = 200;
+  std::sort(storms.begin(), storms.end(), [](const DrawnWave& a, const DrawnWave& b) {
+    return a.heel_pressure != b.heel_pressure ? a.heel_pressure > b.heel_pressure : a.height > b.height;
+  });
+  storms.resize(std::min(storms.size(), most));
+  WaysToFail worst = at_rest;
+  for (const DrawnWave& wave : storms) worst = worst_of(worst, laws.ways(wave));
+  answered = static_cast<double>(storms.size());
+  return worst;
+}
+
+/// The largest share by which a lower wave of these seas is less safe than the highest that may come.
+double lower_worse(const Laws& laws, const DesignTables& tables, const std::vector<SeaState>& seas) {
+  constexpr int n_heights = 24;
+  constexpr std::size_t most_seas = 12;
+  std::vector<double> share(std::min(seas.size(), most_seas), 0.);
+  in_parallel(share.size(), "looking at lower waves", [&](std::size_t i) {
+    const StateAnswer sea = answer_of(tables, seas[i * seas.size() / share.size()]);
+    const double highest = sea.heights.height(0.1 / std::max(sea.state.waves, 1.));
+    std::vector<WaysToFail> ways;
+    for (int n = 1; n <= n_heights; ++n) ways.push_back(laws.ways({sea.state, highest * n / n_heights, {}}));
+    for (const WaysToFail& lower : ways)
+      for (double WaysToFail::*factor : {&WaysToFail::circles, &WaysToFail::sliding, &WaysToFail::overturning})
+        if (lower.*factor < ways.back().*factor && lower.*factor > 0. && std::isfinite(ways.back().*factor))
+          share[i] = std::max(share[i], ways.back().*factor / lower.*factor - 1.);
+  });
+  return share.empty() ? 0. : *std::max_element(share.begin(), share.end());
+}
+
+/// The lives, and every way to fail in each where `ways` has room for them.
+std::vector<Life> lives_of(const LifeSimulation& simulation, const Laws& laws, std::size_t n,
+                           std::vector<WaysToFail>& ways, std::vector<double>& answered) {
+  std::vector<Life> lives(n);
+  const WaysToFail at_rest = ways.empty() ? WaysToFail() : laws.ways_at_rest();
+  in_parallel(n, "simulating lives", [&](std::size_t i) {
+    lives[i] = simulation.life(static_cast<std::uint32_t>(i));
+    if (ways.empty()) return;
+    ways[i] = ways_of_life(laws, std::move(lives[i].worst_of_storms), at_rest, answered[i]);
+    lives[i].worst_of_storms.clear();
+  });
+  return lives;
+}
+
+WaysOfLives ways_of_lives(const Limits& limits, const std::vector<WaysToFail>& ways,
+                          const std::vector<double>& answered) {
+  using W = WaysToFail;
+  constexpr double stands = 1.;
+  return {worst_of_lives(ways, &W::sliding, stands, -1.),
+          worst_of_lives(ways, &W::sliding_seaward, stands, -1.),
+          worst_of_lives(ways, &W::overturning, limits.overturning.value_or(stands), -1.),
+          worst_of_lives(ways, &W::heel_pressure, limits.dynamic_base_pressure),
+          worst_of_lives(ways, &W::toe_pressure, limits.dynamic_base_pressure),
+          worst_of_lives(ways, &W::circles, limits.circles.value_or(stands), -1.),
+          std::accumulate(answered.begin(), answered.end(), 0.),
+          0.};
+}
+
 MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
                     const ExpectedAnswer& answer, Law law) {
   const LifeTable& table = *design.tables.life;
@@ -196,11 +258,17 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
   setup.uncertain = uncertainties(design.tables.scatter);
   setup.law = [&laws, law = out.law](const SeaState& state) { return laws.make(law, state); };
   setup.seed = static_cast<std::uint64_t>(table.seed);
+  setup.worst_of_storms = law == Law::dynamic && laws.knows_ways();
   const LifeSimulation simulation(setup);
   const Stopwatch watch;
-  std::vector<Life> lives(static_cast<std::size_t>(table.lives));
-  in_parallel(lives.size(), "simulating lives",
-              [&](std::size_t i) { lives[i] = simulation.life(static_cast<std::uint32_t>(i)); });
+  const auto n = static_cast<std::size_t>(table.lives);
+  std::vector<WaysToFail> ways(setup.worst_of_storms ? n : 0);
+  std::vector<double> answered(n, 0.);
+  const std::vector<Life> lives = lives_of(simulation, laws, n, ways, answered);
+  if (!ways.empty()) {
+    out.ways = ways_of_lives(tables.limits, ways, answered);
+    out.ways->lower_worse = lower_worse(laws, tables, tables.storms ? typical_storms(design) : record);
+  }
   add_base(tables, laws, lives, out);
   out.seconds = watch.seconds();
   for (const Life& life : lives) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "output/unjudged_limits.h"
 
 namespace upbead {
 
@@ -17,10 +18,14 @@ constexpr ModeOfName modes[] = {
     {"strength", "strength of the ground"},
     {"slip circle", "bearing and slip circles"},
     {"slip on a plane", "bearing and slip circles"},
+    {"momentary liquefaction", "momentary liquefaction of the ground"},
+    {"residual pore pressure", "residual pore pressure of a storm"},
     {"sliding by formulas", "sliding landward"},
     {"force against friction", "sliding landward"},
+    {"friction over F_T", "sliding landward"},
     {"sliding seaward", "sliding seaward"},
     {"force against friction, seaward", "sliding seaward"},
+    {"friction over F_T seaward", "sliding seaward"},
     {"sliding distance", "sliding distance"},
     {"expected sliding distance", "sliding distance"},
     {"displacement with the ground", "sliding distance"},
@@ -80,48 +85,25 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   return list;
 }
 
-std::string number(const Check& check, double value, const std::string& unit) {
-  return check.unit.empty() && unit.empty() ? significant(value, 4)
-                                            : with_unit(value, unit.empty() ? check.unit : unit);
-}
-
 }  // namespace
 
-Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts) {
+Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits) {
   Sheet sheet;
   sheet.title = title;
   sheet.parts = std::move(parts);
-  sheet.rows = rows_of(sheet.parts);
-  sheet.disagreements = disagreements_of(sheet.rows);
   Checks checks;
   for (const SheetPart& part : sheet.parts) {
     append(checks, part.checks);
     append(sheet.warnings, part.warnings);
   }
+  const Checks unjudged = unjudged_limits(limits, checks, false);
+  append(checks, unjudged);
+  if (!unjudged.empty()) sheet.parts.push_back({"limits", unjudged, {}, ""});
+  sheet.rows = rows_of(sheet.parts);
+  sheet.disagreements = disagreements_of(sheet.rows);
   sheet.verdict = verdict_of(checks, sheet.warnings);
   sheet.not_covered.assign(std::begin(not_covered), std::end(not_covered));
   return sheet;
-}
-
-Compared compared(const Check& check) {
-  Compared c;
-  const bool factor = check.at_least && check.unit.empty();
-  if (check.balance) {
-    c.demand = number(check, check.balance->acting, check.balance->unit);
-    c.capacity = number(check, check.balance->resisting, check.balance->unit);
-  } else if (!factor) {
-    c.demand = check.demand ? number(check, *check.demand, "") : "without bound";
-    c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
-  }
-  if (factor) {
-    c.factor = check.demand ? significant(*check.demand, 3) : "not found";
-    c.required = check.capacity ? significant(*check.capacity, 3) : "no limit";
-  } else if (check.capacity) {
-    c.factor = check.margin ? significant(*check.margin, 3) : "";
-    c.required = "1";
-  }
-  c.outcome = !check.holds ? "-" : *check.holds ? "holds" : "FAILS";
-  return c;
 }
 
 }  // namespace upbead

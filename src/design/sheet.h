@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/checks.h"
+#include "upbead/model/scene.h"
 
 namespace upbead {
 
@@ -42,14 +43,8 @@ struct Sheet {
   std::vector<std::string> not_covered;  ///< ways to fail that no part looks at
 };
 
-/// No check is left out: one whose way to fail is not known stands as a mode of its own.
-Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts);
-
-/// Demand and capacity of a check as they are compared, with the factor and that which is required.
-struct Compared {
-  std::string demand, capacity, factor, required, outcome;
-};
-Compared compared(const Check& check);
+/// No check is left out, and no limit that none judges: one whose way to fail is not known stands as a mode of its own.
+Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits);
 
 /// The table in at most 100 columns, the disagreements, what is not covered, the verdict.
 std::string text_of(const Sheet& sheet);

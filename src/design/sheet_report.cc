@@ -12,6 +12,37 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
+std::string number(const Check& check, double value, const std::string& unit) {
+  return check.unit.empty() && unit.empty() ? significant(value, 4)
+                                            : with_unit(value, unit.empty() ? check.unit : unit);
+}
+
+/// Demand and capacity of a check as they are compared, with the factor and that which is required.
+struct Compared {
+  std::string demand, capacity, factor, required, outcome;
+};
+
+Compared compared(const Check& check) {
+  Compared c;
+  const bool factor = check.at_least && check.unit.empty();
+  if (check.balance) {
+    c.demand = number(check, check.balance->acting, check.balance->unit);
+    c.capacity = number(check, check.balance->resisting, check.balance->unit);
+  } else if (!factor) {
+    c.demand = check.demand ? number(check, *check.demand, "") : "without bound";
+    c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
+  }
+  if (factor) {
+    c.factor = check.demand ? significant(*check.demand, 3) : "not found";
+    c.required = check.capacity ? significant(*check.capacity, 3) : "no limit";
+  } else if (check.capacity) {
+    c.factor = check.margin ? significant(*check.margin, 3) : "";
+    c.required = "1";
+  }
+  c.outcome = !check.holds ? "-" : *check.holds ? "holds" : "FAILS";
+  return c;
+}
+
 /// demand, capacity, factor, required, outcome, measure
 Cells cells_of(const SheetRow& row) {
   const Compared c = compared(row.check);
@@ -90,7 +121,8 @@ OutputSchema<SheetRow> row_outputs() {
   using R = SheetRow;
   return OutputSchema<R>()
       .key("mode", &R::mode, "", "the way to fail")
-      .key("part", &R::part, "", "the command that made the check: waves, run or expected")
+      .key("part", &R::part, "",
+           "the command that made the check: waves, run or expected; limits: none judges that limit")
       .key("governs", &R::governs, "", "whether it is the worst of its way to fail")
       .keys_of(&R::check, check_outputs());
 }

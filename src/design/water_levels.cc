@@ -32,6 +32,44 @@ Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& 
   return {};
 }
 
+/// The section at each level, and its own, with words that follow what is wrong there.
+std::vector<std::pair<std::string, Section>> sections_at_levels(const DesignTables& tables) {
+  std::vector<std::pair<std::string, Section>> list{{"", tables.section}};
+  for (const auto& [name, rise] : tables.levels)
+    list.emplace_back(" at levels." + name, at_water_level(tables.section, tables.water, rise));
+  return list;
+}
+
+/// A caisson that the still water of sea and harbour pushes away or lifts has no S of a wave.
+Diagnostic pushed_away(const DesignTables& tables) {
+  for (const auto& [where, section] : sections_at_levels(tables)) {
+    const StillWater still = still_water(section, tables.water);
+    const double holds = section.friction * (section.submerged_weight + still.weight), push = std::max(still.push, 0.);
+    if (holds > push) continue;
+    return {at_key("harbour_level"),
+            "harbour_level = " + significant(section.harbour_level, 6) + " m: still water pushes the caisson with " +
+                significant(push / 1e3, 4) + " kN/m" + where + ", and mu (W' + dW') = " + significant(holds / 1e3, 4) +
+                " kN/m is no more: it slides without a wave",
+            "give the harbour a level nearer to the sea's, or check friction, submerged_weight and width"};
+  }
+  return {};
+}
+
+/// Only lambda_1 = 0 can leave a wave no pressure, where alpha* is 0 or lambda_2 is.
+Diagnostic without_pressure(const DesignTables& tables) {
+  for (const auto& [where, section] : sections_at_levels(tables))
+    for (const auto& [name, given] : tables.waves) {
+      const DesignWave wave = design_wave(given, section, tables.water);
+      const WavePressure pressure = Goda(section, tables.water, wave).at(wave.height);
+      if (pressure.force > 0.) continue;
+      return {at_key("lambda_1"),
+              "lambda_1 = " + significant(pressure.lambda_1, 6) + " leaves the wave '" + name + "'" + where +
+                  " no force on the wall, P = 0, and its factors of safety have no value",
+              "give lambda_1 above 0, or lambda_2 above 0 where alpha* is"};
+    }
+  return {};
+}
+
 /// The level that is worst by `worse(a, b)`, the first of equal ones.
 template <class Worse, class Value>
 GoverningLevel worst_level(const std::vector<WaveAnswer>& levels, Worse worse, Value value) {
@@ -70,6 +108,15 @@ void check_water_levels(const DesignTables& tables, const Document& document, Di
   for (const auto& [name, rise] : tables.levels)
     if (const Diagnostic wrong = misfit({name, rise}, tables.section, tables.water); !wrong.what.empty())
       report.add(document.place(dotted("levels", name)), "[levels]: " + wrong.what, wrong.cure);
+}
+
+void check_what_acts(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  for (const char* table : {"levels", "section", "fluid", "gravity", "waves"})
+    if (!report.sound(table)) return;
+  if (!document.find("section")) return;
+  for (const Diagnostic& wrong : {pushed_away(tables), without_pressure(tables)})
+    if (!wrong.what.empty())
+      report.add(document.place(dotted("section", wrong.place.key)), "[section]: " + wrong.what, wrong.cure);
 }
 
 GoverningLevels governing(const std::vector<WaveAnswer>& levels) {

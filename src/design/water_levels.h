@@ -27,6 +27,9 @@ std::vector<WaterLevel> water_levels(const DesignTables& design);
 /// Still water must stay above bed, mound and bottom and below the crest, and the caisson must not float.
 void check_water_levels(const DesignTables& tables, const Document& document, Diagnostics& report);
 
+/// At each level still water at two levels must leave the caisson where it is, and every wave must press on the wall.
+void check_what_acts(const DesignTables& tables, const Document& document, Diagnostics& report);
+
 /// The level at which the value of a check is worst, and that value.
 struct GoverningLevel {
   std::string level;

@@ -178,11 +178,11 @@ std::vector<OutputRow> rows_of_waves() {
   return waves_outputs().rows();
 }
 
-std::string to_json(const Design& design, const std::vector<WaveAnswer>& answers) {
+Json to_json(const Design& design, const std::vector<WaveAnswer>& answers) {
   const DesignTables& tables = design.tables;
   ToldWaves told{&tables, &answers, checks_of(tables, answers), warnings_of(design, answers), {}};
   told.verdict = verdict_of(told.checks, told.warnings);
-  return waves_outputs().text(told);
+  return waves_outputs().to_json(told);
 }
 
 }  // namespace upbead

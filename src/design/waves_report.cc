@@ -32,7 +32,9 @@ void set_sliding(const DesignTables& design, double standing_force, WaveAnswer& 
   a.sliding.paper = sliding_distance_paper(mass, resistance, a.pulse);
   a.sliding.paper_parts = sliding_distance_paper_parts(mass, resistance, a.pulse);
   a.sliding.exact = sliding_distance_exact(mass, resistance, a.pulse);
-  const CombinedWave combined{a.wave.period, standing_force, {a.force, a.pulse.duration}, a.uplift};
+  // a given force is the peak of P, which its standing part does not exceed
+  const double standing = a.measured ? std::min(standing_force, a.force) : standing_force;
+  const CombinedWave combined{a.wave.period, standing, {a.force, a.pulse.duration}, a.uplift};
   a.sliding.combined =
       sliding_distance_combined(mass + added_mass(design.water.density, s.foundation_depth, design.combined),
                                 resistance, s.friction, combined, design.combined);
@@ -301,17 +303,12 @@ std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers
 
 namespace {
 
-/// The larger of S by eqs. (4) and (6) and, with a standing wave besides the pulse, of 1998.
 FormulaAnswer formula_answer(const WaveAnswer& a) {
-  const bool combined = a.sliding.combined > a.sliding.exact;
   return {a.name,
           a.level,
           a.stability,
           a.standing,
-          std::max(a.sliding.exact, a.sliding.combined),
-          std::string(combined ? "Shimosako and Takahashi (1998), a standing wave and a pulse"
-                               : "eqs. (4) and (6) of Shimosako and Takahashi (1994), integrated") +
-              "; tau_0 = k(alpha*) tau_0F",
+          larger_sliding(a.sliding.exact, a.sliding.combined),
           "waves." + a.name + (a.level.empty() ? "." : ".levels." + a.level + ".")};
 }
 

@@ -67,7 +67,7 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 std::string describe(const Design& design, const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
-std::string to_json(const Design& design, const std::vector<WaveAnswer>& answers);
+Json to_json(const Design& design, const std::vector<WaveAnswer>& answers);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_waves();
 

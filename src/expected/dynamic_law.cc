@@ -1,6 +1,7 @@
 #include "expected/dynamic_law.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
@@ -43,6 +44,19 @@ bool DynamicLaw::may_slide(double height, const WaveFactors& factors) const {
 double DynamicLaw::threshold(const WaveFactors& factors) const {
   const Section section = with_factors(forces_.breakwater().section, factors);
   return detail::first_height([&](double height) { return most(on_wall(height, factors), section); });
+}
+
+bool operator==(const WaysToFail& a, const WaysToFail& b) {
+  const auto of = [](const WaysToFail& w) {
+    return std::array{w.sliding, w.sliding_seaward, w.overturning, w.heel_pressure, w.toe_pressure, w.circles};
+  };
+  return of(a) == of(b);
+}
+
+WaysToFail worst_of(const WaysToFail& a, const WaysToFail& b) {
+  return {std::min(a.sliding, b.sliding),           std::min(a.sliding_seaward, b.sliding_seaward),
+          std::min(a.overturning, b.overturning),   std::max(a.heel_pressure, b.heel_pressure),
+          std::max(a.toe_pressure, b.toe_pressure), std::min(a.circles, b.circles)};
 }
 
 namespace {
@@ -102,14 +116,21 @@ DynamicWave DynamicLaw::wave(double height, const WaveFactors& factors) const {
   return out;
 }
 
-std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& factors) const {
-  if (!answer_->knows_base()) return std::nullopt;
-  const Section s = with_factors(forces_.breakwater().section, factors);
-  const ImpactWave wave = on_wall(height, factors);
+std::vector<double> DynamicLaw::sampled(const ImpactWave& wave) const {
+  std::vector<double> force(static_cast<std::size_t>(number_of_samples(wave, answer_->step())));
+  sample_force(wave, answer_->step(), static_cast<int>(force.size()), force.data());
+  return force;
+}
+
+std::vector<double> DynamicLaw::times(std::size_t n) const {
+  std::vector<double> time(n);
+  for (std::size_t i = 0; i < n; ++i) time[i] = static_cast<double>(i) * answer_->step();
+  return time;
+}
+
+EffectiveBase DynamicLaw::base_under(const ImpactWave& wave, const std::vector<double>& force, const Section& s) const {
   const double step = answer_->step(), B = s.width;
-  std::vector<double> force(static_cast<std::size_t>(number_of_samples(wave, step))), time = force;
   const int n = static_cast<int>(force.size());
-  sample_force(wave, step, n, force.data());
   EffectiveBase base;
   base.width = B;
   base.weight = s.submerged_weight;
@@ -123,9 +144,51 @@ std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& fact
     U += reading(2, i);
     base.force.push_back(base.weight + reading(0, i) - U);
     base.moment.push_back(base.weight_moment + reading(1, i) + base.uplift_moment.back());
-    time[static_cast<std::size_t>(i)] = i * step;
   }
-  return worst_of(base_extremes(base, time));
+  return base;
+}
+
+std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& factors) const {
+  if (!answer_->knows_base()) return std::nullopt;
+  const ImpactWave wave = on_wall(height, factors);
+  const std::vector<double> force = sampled(wave);
+  const Section section = with_factors(forces_.breakwater().section, factors);
+  return worst_of(base_extremes(base_under(wave, force, section), times(force.size())));
+}
+
+namespace {
+
+/// Sets the least mu N'/F_T both ways.
+void see_friction(double friction, const EffectiveBase& base, const std::vector<double>& shear, WaysToFail& ways) {
+  const double trifle = 1e-6 * friction * base.weight;
+  for (std::size_t i = 0; i < shear.size(); ++i) {
+    if (std::abs(shear[i]) <= trifle) continue;
+    double& least = shear[i] > 0. ? ways.sliding : ways.sliding_seaward;
+    least = std::min(least, friction * std::max(base.force[i], 0.) / std::abs(shear[i]));
+  }
+}
+
+}  // namespace
+
+std::optional<WaysToFail> DynamicLaw::ways(double height, const WaveFactors& factors) const {
+  const CircleFamily* circles = answer_->circles();
+  if (!circles) return std::nullopt;
+  const ImpactWave wave = on_wall(height, factors);
+  const std::vector<double> force = sampled(wave);
+  const Section section = with_factors(forces_.breakwater().section, factors);
+  const EffectiveBase base = base_under(wave, force, section);
+  std::vector<double> shear(force.size());
+  answer_->respond(force.data(), static_cast<int>(force.size()), shear.data());
+  const WorstBase worst = worst_of(base_extremes(base, times(force.size())));
+  WaysToFail ways;
+  ways.overturning = worst.overturning_margin;
+  ways.heel_pressure = worst.heel_pressure;
+  ways.toe_pressure = worst.toe_pressure;
+  see_friction(section.friction, base, shear, ways);
+  const auto found = circle_of_wave(*circles, base.force, base.moment, shear,
+                                    [&](const auto& moments) { return answer_->pressures(force, moments); });
+  if (found) ways.circles = found->factor;
+  return ways;
 }
 
 namespace {
@@ -273,6 +336,15 @@ constexpr int windows = 400;  // widths for which late_windows_ is computed
 /// they do not slide.
 constexpr int few_modes = 8;
 
+/// The model with only the wave's load.
+ModalModel one_load(ModalModel model, int load) {
+  model.load = model.load.col(load).eval();
+  model.feedthrough = model.feedthrough.col(load).eval();
+  model.impulse = model.impulse.col(load).eval();
+  model.load_name = {model.load_name[static_cast<std::size_t>(load)]};
+  return model;
+}
+
 /// The model with only the wave's load and one reading.
 ModalModel one_path(const ShearModel& model, int reading) {
   const ModalModel& all = model.modes;
@@ -298,7 +370,18 @@ ShearAnswer::ShearAnswer(const ShearModel& model, double step, double longest)
       few_batch_(few_.model, 0, step) {
   if (model.force_per_load == 0.) throw std::invalid_argument("the load puts no horizontal force on the caisson");
   for (const int reading : model.base) base_.emplace_back(one_path(model, reading), 0, step);
+  if (model.circles) {
+    circles_ = model.circles;
+    pressures_.emplace(one_load(model.circles->pressures, model.load), step);
+  }
   make_bounds(static_cast<int>(std::ceil(longest / step)) + 2);
+}
+
+Eigen::MatrixXd ShearAnswer::pressures(const std::vector<double>& force,
+                                       const std::vector<std::size_t>& moments) const {
+  const auto n = static_cast<Eigen::Index>(force.size());
+  const WaveSamples loads = load_per_force_ * Eigen::Map<const Eigen::RowVectorXd>(force.data(), n);
+  return pressures_->of(loads, moments);
 }
 
 void ShearAnswer::make_bounds(int n) {

@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "dynamics/batch_response.h"
+#include "dynamics/readings_at.h"
 #include "dynamics/truncate.h"
+#include "expected/ways_to_fail.h"
 #include "upbead/expected/sliding_law.h"
+#include "upbead/rupture/circle_family.h"
 #include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/goda.h"
 
@@ -24,6 +27,7 @@ struct ShearModel {
   /// Indices of the readings N, M, U of the pores, and the moment of this U about the bottom's middle; empty where
   /// the model has no such readings.
   std::vector<int> base{};
+  std::shared_ptr<const CircleModel> circles{};  ///< null where the model has no slip circles
 };
 
 /// What is known of a force before it is sampled: P(0) = 0, its largest value and its slopes.
@@ -45,6 +49,10 @@ class ShearAnswer {
   bool knows_base() const { return !base_.empty(); }
   /// The four readings of the base under such a P, one in each row; only where knows_base().
   Eigen::MatrixXd base(const std::vector<double>& force) const;
+  /// The slip circles under the caisson; null where the model has none, or no readings of the base.
+  const CircleFamily* circles() const { return circles_ && knows_base() ? &circles_->family : nullptr; }
+  /// Their readings under such a P at some of its samples, a column each; only where there are circles.
+  Eigen::MatrixXd pressures(const std::vector<double>& force, const std::vector<std::size_t>& moments) const;
   /// A value that no |F_T| among the first n samples exceeds; infinity for waves longer than `longest`.
   double bound(const ForceLimits& force, int n) const;
   /// A value that no |F_T| under P exceeds: the response of a few modes, plus a bound of all other modes. P as for
@@ -61,6 +69,8 @@ class ShearAnswer {
   TruncatedModel few_;
   BatchResponse few_batch_;
   std::vector<BatchResponse> base_;
+  std::shared_ptr<const CircleModel> circles_;
+  std::optional<ReadingsAt> pressures_;
   /// With the response a to a hat function, and the response s to a ramp that rises in one step to 1 and stays there:
   std::vector<double> hat_;           ///< sum of the first |a|
   std::vector<double> late_;          ///< sum of the first |s - 1| times the step (s)
@@ -163,12 +173,17 @@ class DynamicLaw : public SlidingLaw {
   /// At rest and in such a wave: the model's N and M, with U(t) as Goda's triangle and the model's uplift of the
   /// pores, as `respond` computes it. None where the model has no such readings.
   std::optional<WorstBase> base(double height, const WaveFactors& factors = {}) const;
+  /// Every way to fail in such a wave, with that base; none where the model has no slip circles.
+  std::optional<WaysToFail> ways(double height, const WaveFactors& factors = {}) const;
 
  private:
   ImpactWave on_wall(double height, const WaveFactors& factors) const;
   /// A bound of |F_S| for such a wave, minus mu W' (N/m).
   double most(const ImpactWave& wave, const Section& section) const;
   double slide_under(const DynamicWave& wave, const Section& section) const;
+  EffectiveBase base_under(const ImpactWave& wave, const std::vector<double>& force, const Section& section) const;
+  std::vector<double> sampled(const ImpactWave& wave) const;
+  std::vector<double> times(std::size_t n) const;
 
   WaveForces forces_;
   ImpactAssumptions assumptions_;

@@ -70,12 +70,18 @@ bool no_worse(double height, const WaveFactors& factors, const DrawnWave& than) 
          factors.weight == than.factors.weight;
 }
 
-/// Notes the pressures on the base in a wave.
-void add_base(const SeaState& sea, const SlidingLaw& law, double height, const WaveFactors& factors, Life& life) {
+/// Notes the pressures on the base in a wave. `of_storm`: the wave of the storm with the largest heel pressure so far.
+void add_base(const SeaState& sea, const SlidingLaw& law, double height, const WaveFactors& factors, Life& life,
+              DrawnWave& of_storm) {
   const WaveForces* forces = law.forces();
   if (!forces) return;
   const WorstBase base = forces->base(height, factors);
-  if (!life.base || base.heel_pressure > life.base->heel_pressure) life.most_tilting = {sea, height, factors};
+  if (!life.base || base.heel_pressure > life.base->heel_pressure)
+    life.most_tilting = {sea, height, factors, base.heel_pressure};
+  const bool as_high = base.heel_pressure == of_storm.heel_pressure;  // both without bound
+  if (of_storm.height == 0. || base.heel_pressure > of_storm.heel_pressure ||
+      (as_high && height * factors.force > of_storm.height * of_storm.factors.force))
+    of_storm = {sea, height, factors, base.heel_pressure};
   life.base = life.base ? worst_of(*life.base, base) : base;
 }
 
@@ -172,13 +178,15 @@ void LifeSimulation::add_storm(Storm& storm, Life& life) const {
     storm.limit = limits_[storm.index % limits_.size()];
   else if (setup_.limit)
     storm.limit = setup_.limit(storm.sea);
+  DrawnWave worst;
   if (by_wave_ || setup_.every_wave)
-    add_every_wave(storm, law, life);
+    add_every_wave(storm, law, life, worst);
   else if (const auto highest = add_sliding_waves(storm, law, life))
-    add_base(storm.sea, law, *highest, storm.drawn.factors, life);
+    add_base(storm.sea, law, *highest, storm.drawn.factors, life, worst);
+  if (setup_.worst_of_storms && worst.height > 0.) life.worst_of_storms.push_back(worst);
 }
 
-void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const {
+void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life, DrawnWave& most) const {
   const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
   const auto n = static_cast<std::uint32_t>(storm.waves);
   DrawnWave worst;
@@ -194,8 +202,8 @@ void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, L
     if (unbroken > storm.limit) life.taken += 1.;
     add_waves(1., law.distance(height, all.factors), height, life);
     if (no_worse(height, all.factors, worst)) continue;
-    add_base(storm.sea, law, height, all.factors, life);
-    if (height * all.factors.force > worst.height * worst.factors.force) worst = {storm.sea, height, all.factors};
+    add_base(storm.sea, law, height, all.factors, life, most);
+    if (height * all.factors.force > worst.height * worst.factors.force) worst = {storm.sea, height, all.factors, 0.};
   }
 }
 

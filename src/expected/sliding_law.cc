@@ -135,7 +135,13 @@ double detail::first_height(const std::function<double(double)>& f) {
 Section with_factors(const Section& section, const WaveFactors& factors) {
   Section s = section;
   s.friction *= factors.friction;
-  s.submerged_weight += (factors.weight - 1.) * s.weight;
+  const double more = (factors.weight - 1.) * s.weight;
+  // more weight acts where W does; W' has the line t, as buoyancy W - W' acts at B/2: W t_W = W' t + (W - W') B/2
+  if (s.centroid && s.submerged_weight + more != 0.) {
+    const double moment = s.submerged_weight * *s.centroid + (s.weight - s.submerged_weight) * 0.5 * s.width;  // W t_W
+    s.centroid = (s.submerged_weight * *s.centroid + (factors.weight - 1.) * moment) / (s.submerged_weight + more);
+  }
+  s.submerged_weight += more;
   s.weight *= factors.weight;
   return s;
 }

@@ -44,5 +44,6 @@ void check_boundaries(Checker& checker);
 void check_shaken_sides(Checker& checker);
 void check_loads(Checker& checker);
 void check_volume_loads(Checker& checker);
+void check_construction(Checker& checker);
 
 }  // namespace upbead

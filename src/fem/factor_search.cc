@@ -49,10 +49,11 @@ std::optional<double> FactorSearch::between() const {
 
 std::optional<double> FactorSearch::next() const {
   if (lower_ && upper_) return between();
-  if (!lower_ && !upper_ && !open_from_) return 1.;
+  if (!lower_ && !upper_ && !open_from_) return first_;
   if (!upper_) {
     const double last = std::max(lower_.value_or(smallest), open_to_.value_or(smallest));
-    if (lower_ || last < largest) return last < largest ? std::optional(std::min(2. * last, largest)) : std::nullopt;
+    if (lower_ || last < largest)
+      return last < largest ? std::optional(std::min(growth_ * last, largest)) : std::nullopt;
   }
   const double last = std::min(upper_.value_or(largest), open_from_.value_or(largest));
   if (last <= smallest) return std::nullopt;

@@ -14,6 +14,9 @@ class FactorSearch {
   static constexpr double largest = 20., smallest = 1. / 16.;
   static constexpr double closeness = 0.005;  ///< of the bracket, relative
 
+  /// `first`: the factor to be tried first, within the bounds; `growth`: from one that rests to the next.
+  explicit FactorSearch(double first = 1., double growth = 2.) : first_(first), growth_(growth) {}
+
   /// The factor to be tried next; none where the bracket is close, or cannot be made closer.
   std::optional<double> next() const;
   void take(double F, const LimitAnswer& answer);
@@ -28,6 +31,7 @@ class FactorSearch {
  private:
   std::optional<double> between() const;
 
+  double first_, growth_;
   std::optional<double> lower_, upper_;
   std::optional<double> open_from_, open_to_;  ///< factors without an answer, between the bounds
   double estimate_ = 1.;                       ///< by the last motion in which the ground failed

@@ -3,10 +3,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
+#include <limits>
+
 #include "algebra/factorisation.h"
 #include "fem/assembly.h"
 #include "fem/caisson/caisson.h"
 #include "fem/faces.h"
+#include "fem/loaded_ground.h"
 #include "fem/surcharge.h"
 
 namespace upbead {
@@ -62,11 +65,25 @@ Ground::Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool
       interface_(with_interface ? interface_nodes(space_) : std::vector<InterfaceNode>()),
       unknowns_(space_, scene, bodies_, interface_) {}
 
-EffectiveStress Ground::solve(const Vector& weights) const {
+Vector Ground::displace(const Vector& weights) const {
   System system;
   system.field = unknowns_.field();
   assemble(scene_, space_, unknowns_, bodies_, nullptr, system);
-  return stress(unknowns_.expand(Factorisation(system.K).solve(weights)));
+  return Factorisation(system.K).solve(weights);
+}
+
+std::vector<std::array<double, dim>> Ground::moved(const Vector& x) const {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::array<double, dim>> moved(space_.mesh().triangulation.n_vertices(), {nothing, nothing});
+  const Vector u = unknowns_.expand(x);
+  for (const auto& cell : space_.dofs().active_cell_iterators()) {
+    if (space_.kind(cell) == CellKind::absent) continue;
+    for (const unsigned v : cell->vertex_indices())
+      for (unsigned d = 0; d < dim; ++d)
+        moved[cell->vertex_index(v)][d] =
+            u[static_cast<Eigen::Index>(cell->vertex_dof_index(v, d, cell->active_fe_index()))];
+  }
+  return moved;
 }
 
 Vector Ground::normal_forces(const Vector& weights) const {
@@ -83,32 +100,70 @@ Vector Ground::normal_forces(const Vector& weights) const {
 
 WeightInWater Ground::caisson_in_water(double level) const {
   const Vector f = weights(level, true);
-  std::size_t b = 0;
-  while (bodies_.at(b).region != caisson_name) ++b;
+  const std::size_t b = body_of_caisson();
   // a unit rotation moves a point upwards by -(x - x_G)
   const double weight = -f[unknowns_.coordinate(b, motion_y)];
   return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
 }
 
-Vector Ground::weights(double level, bool of_caisson_alone) const {
+std::optional<std::size_t> Ground::caisson_body() const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].region == caisson_name) return b;
+  return std::nullopt;
+}
+
+std::optional<BaseResultant> Ground::base_load(double level) const {
+  const std::optional<std::size_t> b = caisson_body();
+  const std::optional<Caisson> caisson = b ? find_caisson(space_) : std::nullopt;
+  if (!caisson) return std::nullopt;
+  const Vector f = weights(level, true);
+  const auto of = [&](Motion motion) { return f[unknowns_.coordinate(*b, motion)]; };
+  // a unit rotation about the bottom's middle moves the centre of gravity by `arm`
+  const Tensor<1, dim> arm = unit_motion(motion_rotation, bodies_[*b].centre, caisson->bottom_centre);
+  return BaseResultant{-of(motion_y), of(motion_rotation) + arm[0] * of(motion_x) + arm[1] * of(motion_y),
+                       caisson->bottom_width};
+}
+
+std::optional<std::array<double, n_motions>> Ground::caisson_motion(const Vector& x) const {
+  const std::optional<std::size_t> b = caisson_body();
+  if (!b) return std::nullopt;
+  std::array<double, n_motions> motion{};
+  for (int m = 0; m < n_motions; ++m) motion[static_cast<std::size_t>(m)] = x[unknowns_.coordinate(*b, m)];
+  return motion;
+}
+
+void Ground::each_work(double level, bool of_caisson_alone,
+                       const std::function<void(const Cell&, dealii::types::global_dof_index, double)>& visit) const {
   // the unit weight jumps where the water level cuts a cell: many points of quadrature there
   const hp::QCollection<dim> points(QGauss<dim>(static_cast<unsigned>(space_.degree()) + 1),
                                     QIterated<dim>(QGauss<1>(3), 16));
   hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), points,
                               update_values | update_quadrature_points | update_JxW_values);
-  Vector f = Vector::Zero(unknowns_.size());
   for (const auto& cell : space_.dofs().active_cell_iterators()) {
-    const bool of_caisson = space_.mesh().surface_of(cell) == caisson_name;
-    if (space_.kind(cell) == CellKind::absent || (of_caisson_alone && !of_caisson)) continue;
+    if (space_.kind(cell) == CellKind::absent || (of_caisson_alone && !is_of_caisson(cell))) continue;
     hp_values.reinit(cell, is_cut(cell, level) ? 1 : 0);
     const FEValues<dim>& fe = hp_values.get_present_fe_values();
     const Dofs dofs = dofs_of(cell);
-    for (const unsigned i : fe.dof_indices()) {
-      const double work = work_of(fe, i, cell, level);
-      const Row& row = of_caisson ? unknowns_.caisson_expansion(dofs[i]) : unknowns_.expansion(dofs[i]);
-      for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
-    }
+    for (const unsigned i : fe.dof_indices()) visit(cell, dofs[i], work_of(fe, i, cell, level));
   }
+}
+
+double Ground::weight(double level) const {
+  double sum = 0.;
+  each_work(level, false, [&](const Cell&, types::global_dof_index, double work) { sum -= work; });
+  for_each_surcharge(scene_, space_, [&](const Cell&, const std::vector<double>& force) {
+    for (const double work : force) sum += -work;
+  });
+  if (const std::optional<Caisson> caisson = find_caisson(space_)) sum += still_water(scene_, *caisson).weight;
+  return sum;
+}
+
+Vector Ground::weights(double level, bool of_caisson_alone) const {
+  Vector f = Vector::Zero(unknowns_.size());
+  each_work(level, of_caisson_alone, [&](const Cell& cell, types::global_dof_index dof, double work) {
+    const Row& row = is_of_caisson(cell) ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
+    for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
+  });
   add_still_water(f);
   if (!of_caisson_alone)
     for_each_surcharge(scene_, space_, [&](const Cell& cell, const std::vector<double>& force) {
@@ -119,13 +174,36 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
   return f;
 }
 
+std::size_t Ground::body_of_caisson() const {
+  std::size_t b = 0;
+  while (bodies_.at(b).region != caisson_name) ++b;
+  return b;
+}
+
+Vector Ground::forces_on_caisson(const BaseForces& base) const {
+  const std::size_t b = body_of_caisson();
+  const Tensor<1, dim> arm = base.middle - bodies_[b].centre;
+  Vector f = Vector::Zero(unknowns_.size());
+  f[unknowns_.coordinate(b, motion_x)] = base.shear;
+  f[unknowns_.coordinate(b, motion_y)] = -base.normal;
+  f[unknowns_.coordinate(b, motion_rotation)] = base.moment + base.shear * arm[1] + base.normal * arm[0];
+  return f;
+}
+
+std::pair<Tensor<1, dim>, double> Ground::motion_of_caisson(const Vector& x, const Point<dim>& at) const {
+  const std::size_t b = body_of_caisson();
+  Tensor<1, dim> moved;
+  for (int motion = 0; motion < n_motions; ++motion)
+    moved += x[unknowns_.coordinate(b, motion)] * unit_motion(motion, at, bodies_[b].centre);
+  return {moved, x[unknowns_.coordinate(b, motion_rotation)]};
+}
+
 void Ground::add_still_water(Vector& f) const {
   const std::optional<Caisson> caisson = find_caisson(space_);
   if (!caisson) return;
   const StillWater still = still_water(scene_, *caisson);
   if (still.push == 0. && still.weight == 0.) return;
-  std::size_t b = 0;
-  while (bodies_.at(b).region != caisson_name) ++b;
+  const std::size_t b = body_of_caisson();
   const auto add = [&](Motion motion, double work) { f[unknowns_.coordinate(b, motion)] += work; };
   // a unit rotation about x_G, overturning landward, moves a point by (y - y_G, -(x - x_G))
   const double below = caisson->bottom_centre[1] - bodies_[b].centre[1];

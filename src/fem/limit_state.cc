@@ -265,11 +265,15 @@ class Search {
   LimitAnswer finish(RestFound found) {
     answer_.found = found;
     answer_.moved = u_;
+    answer_.work.clear();
     double sum = 0., slope = 0., most = 0.;
     for (const Limit& l : limits_) {
       const Vector3d& s = stress_[l.point];
       sum += l.z[0];
       slope += l.z[0] * l.by_factor * (l.limit - (l.by_factor < 1. ? 0.5 * l.slope * (s[0] + s[1]) : 0.));
+      const unsigned cell = points_[l.point].cell;
+      if (answer_.work.size() <= cell) answer_.work.resize(cell + 1, 0.);
+      answer_.work[cell] += l.z.tail<2>().norm() * std::hypot(0.5 * (s[0] - s[1]), s[2]);
       const double shear = l.z.tail<2>().norm() / points_[l.point].area;
       if (shear <= most) continue;
       most = shear;

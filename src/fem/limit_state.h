@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "fem/static_soil.h"
 
@@ -15,6 +16,7 @@ struct LimitAnswer {
   PointStresses stresses;    ///< within the strength and in equilibrium, where there is a rest
   Vector moved;              ///< the motion in which the ground fails, or is nearest to that (its length means nothing)
   unsigned shears_most = 0;  ///< active cell where it shears most in that
+  std::vector<double> work;  ///< of shearing in that, by active cell index up to the last; any unit
   double factor = 1.;    ///< where there is no rest: about by how much the strength would have to be divided for one
   double residual = 0.;  ///< |forces out of balance| over |loads|
   int iterations = 0;    ///< each with a factorisation

@@ -121,7 +121,7 @@ void find_stiffness(const Mesh& mesh, ResolvedScene& resolved) {
     for (const auto& cell : mesh.triangulation.active_cell_iterators())
       if (mesh.surface_of(cell) == name) {
         G.add(stage.shear_modulus[cell->active_cell_index()]);
-        p.add(stage.stress.mean(cell->active_cell_index(), k0_of(resolved.scene)));
+        p.add(stage.stress.mean(cell->active_cell_index(), k0_to_apply(resolved.scene)));
       }
     region.shear_modulus = G.largest;
     resolved.decisions.push_back(
@@ -154,6 +154,31 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
                                 cells});
 }
 
+void tell_construction(ResolvedScene& resolved) {
+  if (resolved.scene.construction.empty()) return;
+  std::string stages;
+  for (const std::string& name : stages_in_order(resolved.scene)) stages += (stages.empty() ? "" : ", then ") + name;
+  resolved.decisions.push_back({"", "construction", stages,
+                                "stresses at rest come of these stages, each drained; settlement by them is not that "
+                                "of the waves",
+                                "pore pressure of construction and its consolidation over time"});
+}
+
+Decision tell_densification(const std::string& name, const Densification& law) {
+  return {name, "densification", "C1 = " + significant(law.C1()) + ", C2 = " + significant(law.C2()),
+          "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = \"mohr_coulomb\"", ""};
+}
+
+/// By which curve cycles of a storm liquefy a soil, and what of it is assumed.
+Decision tell_cyclic(const std::string& name, const CyclicSoil& soil) {
+  const bool given = soil.alpha && soil.beta;
+  return {name, "cyclic", "tau/sigma'_0 = " + significant(soil.alpha_r()) + " N^" + significant(soil.beta_r()),
+          std::string("N cycles liquefy it; ") +
+              (given ? "as the case says"
+                     : "assumed, by D_r: alpha = 0.34 D_r + 0.084, beta = 0.37 D_r - 0.46 (Sumer and others 2012)"),
+          ""};
+}
+
 }  // namespace
 
 Decision tell_damping(const std::string& name, const Rayleigh& damping) {
@@ -165,6 +190,24 @@ Decision tell_damping(const std::string& name, const Rayleigh& damping) {
               significant(100. * damping.error(), 2) + " % of it",
           ""};
 }
+
+namespace {
+
+/// How the stress of a region follows its strain, and its damping.
+void tell_laws(const std::string& name, const Region& region, ResolvedScene& resolved) {
+  if (region.law != SoilLaw::elastic)
+    resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
+                                  "as the case says; where it yields nothing is linear, so it is marched", ""});
+  if (region.densification) resolved.decisions.push_back(tell_densification(name, *region.densification));
+  if (region.cyclic && resolved.scene.cycles) resolved.decisions.push_back(tell_cyclic(name, *region.cyclic));
+  if (region.strain_law && region.law == SoilLaw::elastic)
+    resolved.decisions.push_back({name, "strain", "equivalent-linear",
+                                  "stiffness and damping follow the shear strain, settled when it is run", ""});
+  if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
+    resolved.decisions.push_back(tell_damping(name, *region.damping));
+}
+
+}  // namespace
 
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
@@ -197,23 +240,8 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         break;
     }
   }
-  for (const auto& [name, region] : resolved.scene.regions) {
-    if (region.law != SoilLaw::elastic)
-      resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
-                                    "as the case says; where it yields nothing is linear, so it is marched", ""});
-    if (region.densification)
-      resolved.decisions.push_back(
-          {name, "densification",
-           "C1 = " + significant(region.densification->C1()) + ", C2 = " + significant(region.densification->C2()),
-           "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
-           "\"mohr_coulomb\"",
-           ""});
-    if (region.strain_law && region.law == SoilLaw::elastic)
-      resolved.decisions.push_back({name, "strain", "equivalent-linear",
-                                    "stiffness and damping follow the shear strain, settled when it is run", ""});
-    if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
-      resolved.decisions.push_back(tell_damping(name, *region.damping));
-  }
+  for (const auto& [name, region] : resolved.scene.regions) tell_laws(name, region, resolved);
+  tell_construction(resolved);
   leave_out_idle_water(outline, mesh, resolved);
   leave_out_unreached(mesh, resolved);
   return resolved;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "fem/construction.h"
 #include "fem/static_march.h"
 #include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
@@ -19,6 +20,8 @@ struct RestState {
   StaticReport report;
   std::string gives_way;  ///< where it shears most as it fails, if none is found: "region 'mound' at (3.2, 1.5) m"
   bool none = false;      ///< shown that there is none, rather than not found
+  std::vector<BuiltStage> built{};  ///< stages of construction that have a rest, in their order
+  std::string falls_in{};           ///< the stage that has none; "" where all have, and of a scene without stages
 };
 
 /// Whether a region has the Mohr-Coulomb law, which starts from such a state.
@@ -32,7 +35,8 @@ using RestProgress = std::function<void(double)>;
 /// returned to the strength, and the weights that it then does not bear are applied in steps. With the soil's own
 /// flow rule; where that finds no equilibrium, with associated flow: this selects another of the stress states that
 /// are in equilibrium and within the strength. Where seek_rest shows that there is none, no more steps are tried.
-/// `soil`: stiffness as in the dynamic system.
+/// `soil`: stiffness as in the dynamic system. A scene that is built in stages comes to rest stage by stage, each from
+/// the stresses of the last one, what appears from none; K_0 holds in the first.
 RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil, const RestProgress& progress = {});
 
 /// Factor by which c', tan phi' and the tensile strength of all regions with a strength may be divided: a stress

@@ -118,19 +118,25 @@ void check_initial(Checker& checker) {
   if (checker.scene.initial)
     for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
   const bool asked = checker.scene.initial && checker.scene.initial->safety;
-  const bool safety = asked || checker.scene.limits.safety;
+  const Limits& limits = checker.scene.limits;
+  const bool safety = asked || limits.safety || limits.peak_safety;
+  const std::string key = asked ? "initial.safety" : limits.safety ? "limits.safety" : "limits.peak_safety";
   const auto& regions = checker.scene.regions;
   if (safety &&
       std::none_of(regions.begin(), regions.end(), [](const auto& r) { return r.second.strength.has_value(); }))
-    checker.object(asked ? "initial.safety" : "limits.safety", "no region has a strength that may fall",
+    checker.object(key, "no region has a strength that may fall",
                    "give soils a table strength, such as strength = { friction_angle = 40 }");
-  if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety) ||
+  if (limits.peak_safety && regions.count(caisson_name) == 0)
+    checker.object("limits.peak_safety", "no base presses on the ground, as there is no region 'caisson'",
+                   "leave that limit out; limits.safety judges the ground at rest");
+  const bool built = !checker.scene.construction.empty();
+  if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety && !built && !limits.liquefaction) ||
       std::isfinite(water_level(checker.scene, checker.mesh)))
     return;
-  checker.object(
-      "initial",
-      "stiffness by stress, soil that yields, and safety need the level of still water, which no region of water gives",
-      "add [initial] with water_level, the height y (m)");
+  checker.object("initial",
+                 "stiffness by stress, soil that yields, safety, construction and liquefaction need the level of still "
+                 "water, which no region of water gives",
+                 "add [initial] with water_level, the height y (m)");
 }
 
 /// The caisson may not be soil that yields: readings along its bottom would belong to both sides.
@@ -198,6 +204,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
   check_initial(checker);
+  check_construction(checker);
   check_harbour(checker);
   check_yielding(checker);
   check_caisson(checker);

@@ -47,11 +47,11 @@ class Maker {
  public:
   Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
         const PointStresses* failing)
-      : k0_(k0_of(scene)), rest_(rest), start_(start), failing_(failing) {
+      : k0_(k0_of(scene)), applied_k0_(k0_to_apply(scene)), rest_(rest), start_(start), failing_(failing) {
     std::map<std::string, std::pair<double, double>> sums;  // sum of stress times area, and of area
     for (const Cell& cell : space.dofs().active_cell_iterators()) {
       auto& [stress, area] = sums[space.mesh().surface_of(cell)];
-      stress += area_of(cell) * std::max(rest.mean(cell->active_cell_index(), k0_), 0.);
+      stress += area_of(cell) * std::max(rest.mean(cell->active_cell_index(), applied_k0_), 0.);
       area += area_of(cell);
     }
     for (const auto& [name, sum] : sums) floor_[name] = least_stress * sum.first / sum.second;
@@ -62,7 +62,7 @@ class Maker {
     const std::string name = space.mesh().surface_of(cell);
     const std::size_t i = cell->active_cell_index();
     const ElasticLaw& elastic = space.material(cell);
-    const double mean = rest_.mean(i, k0_);
+    const double mean = rest_.mean(i, applied_k0_);
     auto& make = make_[name];
     if (!make) make = row.make(soil_of(region));
     const bool balanced = row.rest == RestStress::balanced && failing_;
@@ -88,11 +88,11 @@ class Maker {
   }
   PlaneStress elastic_rest(std::size_t i) const {
     const double vertical = -rest_.vertical[i];
-    if (k0_) return {*k0_ * vertical, vertical, -rest_.shear[i], *k0_ * vertical};
+    if (const auto& k0 = applied_k0_) return {*k0 * vertical, vertical, -rest_.shear[i], *k0 * vertical};
     return {-rest_.horizontal[i], vertical, -rest_.shear[i], -rest_.out_of_plane[i]};
   }
 
-  std::optional<double> k0_;
+  std::optional<double> k0_, applied_k0_;
   const EffectiveStress& rest_;
   RestStart start_;
   const PointStresses* failing_;

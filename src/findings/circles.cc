@@ -1,186 +1,22 @@
 // Slip circles through mound and ground under the caisson, at rest and at the moments of the waves that may govern.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
-#include "findings/ground_section.h"
-#include "findings/pressure_map.h"
+#include "findings/circle_ground.h"
+#include "findings/effective_base.h"
 #include "findings/topics.h"
-#include "rupture/slip_block.h"
+#include "upbead/rupture/circle_family.h"
 
 namespace upbead {
 
 namespace {
 
-using PressureAt = std::function<double(double x, double y)>;  ///< excess pore pressure (Pa); empty: none
-
-/// A moment, and what the base presses on the ground with.
-struct BaseMoment {
-  std::optional<double> time;                  ///< s; none: at rest
-  double force = 0., shear = 0., moment = 0.;  ///< N', F_T (N/m), M' (N m/m)
-};
-
-/// The base of the caisson, and the ground in which circles are sought: four widths to each side.
-struct CircleGround {
-  explicit CircleGround(const Simulation& simulation);
-
-  GroundSection section;
-  double left = 0., right = 0., level = 0.;  ///< of the base (m)
-  double from = 0., to = 0.;                 ///< ends of the ground where circles may meet its surface (m)
-  std::function<double(double)> surcharge;   ///< Pa at x
-};
-
-/// The weights of [initial.surcharge] over x, each between its ends on its curve.
-std::function<double(double)> surcharge_of(const Simulation& simulation) {
-  if (!simulation.scene().initial || simulation.scene().initial->surcharge.empty()) return {};
-  struct Piece {
-    double from, to, weight;
-  };
-  std::vector<Piece> pieces;
-  const Mesh& mesh = *simulation.mesh();
-  for (const auto& [name, s] : simulation.scene().initial->surcharge)
-    for (const auto& face : mesh.triangulation.active_face_iterators()) {
-      if (mesh.curve_of(face) != s.boundary) continue;
-      const double a = face->vertex(0)[0], b = face->vertex(1)[0];
-      const double from = std::max(std::min(a, b), s.from.value_or(-HUGE_VAL));
-      const double to = std::min(std::max(a, b), s.to.value_or(HUGE_VAL));
-      if (to > from) pieces.push_back({from, to, s.weight});
-    }
-  return [pieces = std::move(pieces)](double x) {
-    double sum = 0.;
-    for (const Piece& piece : pieces)
-      if (x >= piece.from && x < piece.to) sum += piece.weight;
-    return sum;
-  };
-}
-
-constexpr double widths_beside = 4.;
-
-CircleGround::CircleGround(const Simulation& simulation)
-    : section(ground_section(simulation)), surcharge(surcharge_of(simulation)) {
-  const Caisson& caisson = *simulation.compiled()->caisson;
-  const double B = caisson.bottom_width;
-  left = caisson.bottom_centre[0] - 0.5 * B;
-  right = left + B;
-  level = caisson.bottom_centre[1];
-  from = std::max(section.left(), left - widths_beside * B);
-  to = std::min(section.right(), right + widths_beside * B);
-}
-
-/// Whether the resultant stands on the base.
-bool stands(const EffectiveBase& base, std::size_t i) {
-  return base.force[i] > 0. && std::abs(base.moment[i]) < 0.499 * base.width * base.force[i];
-}
-
 std::optional<double> leaves_time_of(const EffectiveBase& base, const std::vector<double>& time) {
-  for (std::size_t i = 0; i < time.size(); ++i)
-    if (!stands(base, i)) return time[i];
-  return std::nullopt;
-}
-
-/// The moments of largest F_T both ways, |M'/N'| and F_T/N', and of least N', each once, while the resultant stands on
-/// the base.
-std::vector<BaseMoment> moments_to_look_at(const EffectiveBase& base, const Eigen::RowVectorXd& shear,
-                                           const std::vector<double>& time) {
-  using Measure = std::function<double(std::size_t)>;
-  const auto F = [&](std::size_t i) { return shear[static_cast<Eigen::Index>(i)]; };
-  const std::vector<Measure> measures{
-      [&](std::size_t i) { return F(i); },
-      [&](std::size_t i) { return -F(i); },
-      [&](std::size_t i) { return std::abs(base.moment[i]) / base.force[i]; },
-      [&](std::size_t i) { return std::abs(F(i)) / base.force[i]; },
-      [&](std::size_t i) { return -base.force[i]; },
-  };
-  std::set<std::size_t> rows;
-  for (const Measure& measure : measures) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < time.size(); ++i)
-      if (stands(base, i) && (!best || measure(i) > measure(*best))) best = i;
-    if (best) rows.insert(*best);
-  }
-  std::vector<BaseMoment> moments;
-  for (const std::size_t i : rows) moments.push_back({time[i], base.force[i], F(i), base.moment[i]});
-  return moments;
-}
-
-SlipCircleFound told(const FoundCircle& found, const BaseMoment& moment, const StripLoad& strip, SlipsTo slips) {
-  SlipCircleFound s;
-  s.factor = found.safety.factor;
-  s.time = moment.time;
-  s.slips = slips == SlipsTo::right ? "landward" : "seaward";
-  s.centre = {found.circle.x, found.circle.y};
-  s.radius = found.circle.radius;
-  s.from = found.safety.from;
-  s.to = found.safety.to;
-  s.force = moment.force;
-  s.shear = moment.shear;
-  s.moment = moment.moment;
-  s.strip_from = strip.from;
-  s.strip_to = strip.to;
-  return s;
-}
-
-struct Counts {
-  int tried = 0, steep = 0;
-};
-
-/// The less safe of two.
-std::optional<SlipCircleFound> worse(const std::optional<SlipCircleFound>& a, const std::optional<SlipCircleFound>& b) {
-  if (!a || !b) return a ? a : b;
-  return b->factor < a->factor ? b : a;
-}
-
-struct LookedFor {
-  std::optional<SlipCircleFound> least;
-  Counts counts;
-};
-
-/// What presses on the ground at a moment; none where the resultant leaves the base.
-std::optional<GroundLoads> loads_of(const CircleGround& ground, const BaseMoment& moment, const PressureAt& pressure) {
-  GroundLoads loads;
-  loads.strip = effective_strip(moment.force, moment.moment, moment.shear, ground.left, ground.right, ground.level);
-  if (!loads.strip) return std::nullopt;
-  loads.pressure = pressure;
-  loads.surcharge = ground.surcharge;
-  return loads;
-}
-
-/// All of the ground that leaves the whole strip on the part that slips.
-CircleRange range_beside(const CircleGround& ground, const StripLoad& strip) {
-  return {{ground.from, strip.from}, {strip.to, ground.to}};
-}
-
-/// The least circle of one moment. It slips to where the base is pushed or its resultant stands, and both ways where
-/// these differ or neither is known.
-LookedFor least_circle(const CircleGround& ground, const BaseMoment& moment, const PressureAt& pressure,
-                       const SearchOptions& options = {}) {
-  LookedFor found;
-  const std::optional<GroundLoads> loads = loads_of(ground, moment, pressure);
-  if (!loads) return found;
-  for (const SlipsTo slips : {SlipsTo::right, SlipsTo::left}) {
-    const double side = slips == SlipsTo::right ? 1. : -1.;
-    if (side * moment.shear < 0. && side * moment.moment < 0.) continue;
-    const CircleSearch search =
-        search_circles(ground.section, *loads, slips, range_beside(ground, *loads->strip), options);
-    found.counts.tried += search.tried;
-    found.counts.steep += search.steep;
-    if (!search.family.empty()) found.least = worse(found.least, told(search.family[0], moment, *loads->strip, slips));
-  }
-  return found;
-}
-
-/// Points a 40th of the base's width apart.
-PointGrid grid_of(const CircleGround& ground) {
-  double low = ground.level, high = ground.level;
-  for (int i = 0; i <= 100; ++i)
-    high = std::max(high, ground.section.surface(ground.from + (ground.to - ground.from) * i / 100.).value_or(low));
-  const double B = ground.right - ground.left;
-  low -= widths_beside * B;
-  const auto points = [B](double length) { return 2 + static_cast<int>(40. * length / B); };
-  return {{ground.from, ground.to}, {low, high}, {points(ground.to - ground.from), points(high - low)}};
+  const auto first = first_without_stand(base.force, base.moment, base.width);
+  return first ? std::optional(time[*first]) : std::nullopt;
 }
 
 struct CirclesFound {
@@ -190,11 +26,8 @@ struct CirclesFound {
 
 /// Why there is nothing to look for; "" where there is.
 std::string why_no_search(const Evidence& e) {
-  const Scene& scene = e.scene;
-  if (!e.simulation.compiled()->caisson) return "there is no caisson";
-  if (std::none_of(scene.regions.begin(), scene.regions.end(), [](const auto& r) { return r.second.strength; }))
-    return "no region has a table strength";
-  if (is_shaken(scene)) return "a motion shakes the ground, and slices have no inertia";
+  const std::string why = why_no_circles_in(e.simulation);
+  if (!why.empty()) return why;
   if (!e.of(find_effective_base)) return "the caisson's weight in water is not known, see `base`";
   return "";
 }
@@ -216,61 +49,87 @@ void set_governing(SlipCircles& circles) {
   }
 }
 
-/// Tells which moments the least circle may be of, before it is sought as far as it needs; it errs by some percent.
-const SearchOptions rough{30, 60, {8, 14, 10}, 2};
-constexpr double rough_error = 0.25;
+struct Counts {
+  int tried = 0, steep = 0;
 
-LookedFor least_of_moments(const CircleGround& ground, const std::vector<BaseMoment>& moments,
-                           const std::function<PressureAt(double time)>& pressure_at) {
-  std::vector<double> roughly;
-  for (const BaseMoment& moment : moments) {
-    const LookedFor found = least_circle(ground, moment, pressure_at(*moment.time), rough);
-    roughly.push_back(found.least ? found.least->factor : HUGE_VAL);
+  void add(const LookedFor& found) {
+    tried += found.tried;
+    steep += found.steep;
   }
-  LookedFor all;
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    if (roughly[i] > (1. + rough_error) * *std::min_element(roughly.begin(), roughly.end())) continue;
-    const LookedFor found = least_circle(ground, moments[i], pressure_at(*moments[i].time));
-    all.least = worse(all.least, found.least);
-    all.counts.tried += found.counts.tried;
-    all.counts.steep += found.counts.steep;
-  }
-  return all;
+};
+
+/// The loads at these times and still water's push, as they act on the caisson without motion, as shear at its base.
+std::vector<double> static_shear(const Evidence& e, const std::vector<double>& time) {
+  const CompiledScene& compiled = *e.simulation.compiled();
+  std::vector<double> list(time.size(), e.of(find_effective_base)->push);
+  for (std::size_t i = 0; i < time.size(); ++i)
+    for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k)
+      list[i] += compiled.system.loads[k].history(time[i]) * compiled.loads_on_caisson[k].force_x;
+  return list;
 }
 
 void look_in_motion(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
                     SlipCircles& circles, Counts& counts) {
   const EffectiveBase& base = *e.of(find_effective_base);
-  const Series& series = e.of(find_history);
-  const Eigen::RowVectorXd shear = series.reading.row(e.simulation.compiled()->system.reading(reading::shear_force));
-  const std::vector<BaseMoment> moments = moments_to_look_at(base, shear, series.time);
+  const std::vector<double>& time = e.of(find_history).time;
+  const std::vector<BaseMoment> moments = moments_to_look_at(base, shear_of(e), time);
   const auto look = [&](std::optional<SlipCircleFound>& least, const std::function<PressureAt(double)>& pressure_at) {
     const LookedFor found = least_of_moments(ground, moments, pressure_at);
     least = found.least;
-    counts.tried += found.counts.tried;
-    counts.steep += found.counts.steep;
+    counts.add(found);
   };
   look(circles.still, [](double) { return PressureAt(); });
-  circles.leaves_time = leaves_time_of(base, series.time);
+  circles.leaves_time = leaves_time_of(base, time);
   if (map)
-    look(circles.computed, [&map](double time) { return map->at(time); });
+    look(circles.computed, [&map](double when) { return map->at(when); });
   else
     circles.why_not_computed = "the scene was marched, which keeps no pressures of all times";
 }
 
-/// The least block of the moment and pressure that govern, on planes down to two widths below the base.
-std::optional<SlipBlockFound> least_block(const CircleGround& ground, const std::optional<PressureMap>& map,
-                                          const SlipCircles& circles) {
-  const SlipCircleFound& worst = *circles.governs;
-  const PressureAt pressure = circles.by == "computed" ? map->at(*worst.time) : PressureAt();
-  const auto loads = loads_of(ground, {worst.time, worst.force, worst.shear, worst.moment}, pressure);
-  if (!loads) return std::nullopt;
-  const double B = ground.right - ground.left;
-  const auto found = search_blocks(ground.section, *loads, worst.slips == "landward" ? SlipsTo::right : SlipsTo::left,
-                                   range_beside(ground, *loads->strip), {ground.level - 2. * B, ground.level});
-  if (!found) return std::nullopt;
+/// The least circle under the loads without motion, and by how much more motion needs of the same strength.
+void look_without_motion(const Evidence& e, const CircleGround& ground, SlipCircles& circles) {
+  const std::vector<double>& time = e.of(find_history).time;
+  const EffectiveBase base = without_motion(e.simulation, *e.of(find_effective_base), time);
+  const std::vector<BaseMoment> moments = moments_to_look_at(base, static_shear(e, time), time);
+  circles.static_design = least_of_moments(ground, moments, [](double) { return PressureAt(); }).least;
+  if (circles.static_design && circles.still)
+    circles.dynamic_load_factor = circles.static_design->factor / circles.still->factor;
+}
+
+/// Slices enough for a picture, and for a factor to 1e-3.
+constexpr int slices_drawn = 60;
+/// Rows of the course of a factor, at most about.
+constexpr std::size_t rows_of_course = 1000;
+
+/// The least factor over time of the circles that were found, each held, its ends
+/// at the loaded width where that is wider.
+void follow_circles(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
+                    SlipCircles& circles) {
+  const SlipCircleFound& circle = *circles.governs;
+  const bool by_computed = circles.by == "computed";
+  const auto pressure_at = [&](double when) { return by_computed ? map->at(when) : PressureAt(); };
+  circles.slices = slices_at(ground, circle, circle.time ? pressure_at(*circle.time) : PressureAt(), slices_drawn);
+  const EffectiveBase& base = *e.of(find_effective_base);
+  const std::vector<double>&time = e.of(find_history).time, shear = shear_of(e);
+  const std::size_t stride = 1 + time.size() / rows_of_course;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (i % stride != 0 && !(circle.time && time[i] == *circle.time)) continue;
+    const BaseMoment moment{time[i], base.force[i], shear[i], base.moment[i]};
+    const PressureAt pressure = pressure_at(time[i]);
+    double least = HUGE_VAL;
+    for (const auto* held : {&circles.at_rest, &circles.still, &circles.computed})
+      if (*held) least = std::min(least, widened_safety_at(ground, **held, moment, pressure).factor);
+    circles.course.time.push_back(time[i]);
+    circles.course.factor.push_back(std::isfinite(least) ? least : NAN);
+  }
+}
+
+void set_block(const CircleGround& ground, const std::optional<PressureMap>& map, SlipCircles& circles) {
+  const PressureAt pressure = circles.by == "computed" ? map->at(*circles.governs->time) : PressureAt();
+  const auto found = least_block(ground, *circles.governs, pressure);
+  if (!found) return;
   const auto& [x, y] = found->block;
-  return SlipBlockFound{found->safety.factor, {x.begin(), x.end()}, {y.begin(), y.end()}};
+  circles.block = SlipBlockFound{found->safety.factor, {x.begin(), x.end()}, {y.begin(), y.end()}, found->is_at_limit};
 }
 
 CirclesFound look_for_circles(const Evidence& e) {
@@ -280,26 +139,22 @@ CirclesFound look_for_circles(const Evidence& e) {
   const EffectiveBase& base = *e.of(find_effective_base);
   const CircleGround ground(e.simulation);
   SlipCircles circles;
-  const LookedFor at_rest = least_circle(ground, {{}, base.weight, 0., base.weight_moment}, {});
-  Counts counts = at_rest.counts;
+  const LookedFor at_rest = least_circle(ground, {{}, base.weight, base.push, base.weight_moment}, {});
+  Counts counts{at_rest.tried, at_rest.steep};
   circles.at_rest = at_rest.least;
   std::optional<PressureMap> map;
-  if (e.solution.pressures) map.emplace(e.solution, grid_of(ground));
+  if (e.solution.pressures) map.emplace(e.simulation, *e.solution.pressures, grid_of(ground));
   look_in_motion(e, ground, map, circles, counts);
   circles.uncut = uncut_regions(ground.section);
   circles.share_steep = counts.tried > 0 ? static_cast<double>(counts.steep) / counts.tried : 0.;
   set_governing(circles);
-  if (circles.governs) circles.block = least_block(ground, map, circles);
+  look_without_motion(e, ground, circles);
+  if (circles.governs) {
+    set_block(ground, map, circles);
+    follow_circles(e, ground, map, circles);
+  }
   found.circles = circles;
   return found;
-}
-
-std::optional<SlipCircles> find_circles(const Evidence& e) {
-  return e.of(look_for_circles).circles;
-}
-
-std::string find_why_no_circles(const Evidence& e) {
-  return e.of(look_for_circles).why_not;
 }
 
 std::string when_of(const SlipCircleFound& found) {
@@ -327,6 +182,19 @@ NumberedWarnings circle_warnings(const Evidence& e, const Summary& summary) {
   return list;
 }
 
+Check block_check(const Scene& scene, const SlipBlockFound& block) {
+  const Check check = at_least_as(
+      check_of("slip on a plane", "", block.factor, "circles.block.factor",
+               about_uplift(scene) +
+                   "; horizontal forces on a block between two wedges, at the moment and with the "
+                   "pressure of the least circle, without Janbu's f_0" +
+                   (block.at_limit ? "; an upper bound, as the block stands where the method or the search ends" : "")),
+      scene.limits.circles);
+  if (!block.at_limit || (check.holds && !*check.holds)) return check;
+  return not_checked(check, "the least block stands where the method or the search ends: F is at most " +
+                                significant(block.factor, 3));
+}
+
 Checks circle_checks(const Scene& scene, const Summary& summary) {
   if (!summary.circles) {
     if (!scene.limits.circles) return {};
@@ -343,13 +211,9 @@ Checks circle_checks(const Scene& scene, const Summary& summary) {
   if (circles.governs && !circles.leaves_time) factor = circles.governs->factor;
   Check check = at_least_as(check_of("slip circles", "", factor, "circles.factor", how), scene.limits.circles);
   if (!circles.governs) check = not_checked(check, "no circle has a factor");
+  if (factor) check.balance = Balance{circles.governs->driving, *factor * circles.governs->driving, "N/m"};
   Checks list{check};
-  if (circles.block)
-    list.push_back(at_least_as(
-        check_of("slip on a plane", "", circles.block->factor, "circles.block.factor",
-                 about_uplift(scene) + "; horizontal forces on a block between two wedges, at the moment and with "
-                                       "the pressure of the least circle, without Janbu's f_0"),
-        scene.limits.circles));
+  if (circles.block) list.push_back(block_check(scene, *circles.block));
   return list;
 }
 
@@ -357,6 +221,7 @@ OutputSchema<SlipCircleFound> circle_outputs() {
   using C = SlipCircleFound;
   return OutputSchema<C>()
       .key("factor", &C::factor, "", "F by Bishop's simplified method")
+      .key("driving", &C::driving, "N/m", "the moment that drives it over its radius; F times that resists")
       .key("time", &C::time, "s", "when; null at rest")
       .key("slips", &C::slips, "", "`landward` or `seaward`")
       .key("centre[]", &C::centre, "m", "of the circle")
@@ -364,7 +229,7 @@ OutputSchema<SlipCircleFound> circle_outputs() {
       .key("from", &C::from, "m", "x where it meets the surface on the left")
       .key("to", &C::to, "m", "and on the right")
       .key("force", &C::force, "N/m", "N' of the base then")
-      .key("shear", &C::shear, "N/m", "F_T then")
+      .key("shear", &C::shear, "N/m", "F_T then, with the push of still water at two levels")
       .key("moment", &C::moment, "N m/m", "M' then, about the middle of the base")
       .key("strip_from", &C::strip_from, "m", "x of the left end of the effective width, which N' loads evenly")
       .key("strip_to", &C::strip_to, "m", "and of its right end");
@@ -375,7 +240,9 @@ OutputSchema<SlipBlockFound> block_outputs() {
   return OutputSchema<B>()
       .key("factor", &B::factor, "", "F by horizontal forces, on the safe side: without Janbu's factor f_0")
       .key("x[]", &B::x, "m", "of its four corners, from left to right")
-      .key("y[]", &B::y, "m", "of these corners; the first and last are on the surface");
+      .key("y[]", &B::y, "m", "of these corners; the first and last are on the surface")
+      .key("at_limit", &B::at_limit, "",
+           "whether it stands where the method (m_alpha = 0.2) or the search ends: `factor` then is an upper bound");
 }
 
 OutputSchema<SlipCircles> circles_outputs() {
@@ -391,6 +258,12 @@ OutputSchema<SlipCircles> circles_outputs() {
       .object("block", &C::block, block_outputs(),
               "a block that slips on a level plane between two wedges, at the moment and with the pressure of "
               "`by`; null where none has a factor")
+      .object("static_design", &C::static_design, circle_outputs(),
+              "in the pressure of still water, under the loads as they act without motion: what a design without "
+              "dynamics looks at; null where no circle has a factor")
+      .key("dynamic_load_factor", &C::dynamic_load_factor, "",
+           "`static_design.factor` over `still.factor`: how much more of the same strength the loads need by their "
+           "motion (below 1: less); null where either is")
       .key("leaves_time", &C::leaves_time, "s",
            "when the resultant leaves the base, so that no effective width bears it; null where it stays")
       .reason("uncut", &C::uncut, "regions without a strength, which no circle cuts; null where there are none")
@@ -400,6 +273,22 @@ OutputSchema<SlipCircles> circles_outputs() {
 }
 
 }  // namespace
+
+std::optional<SlipCircles> find_circles(const Evidence& e) {
+  return e.of(look_for_circles).circles;
+}
+
+std::string find_why_no_circles(const Evidence& e) {
+  return e.of(look_for_circles).why_not;
+}
+
+std::vector<double> shear_of(const Evidence& e) {
+  const auto row = e.of(find_history).reading.row(e.simulation.compiled()->system.reading(reading::shear_force));
+  const auto& base = e.of(find_effective_base);
+  std::vector<double> shear(row.begin(), row.end());
+  for (double& F : shear) F += base ? base->push : 0.;
+  return shear;
+}
 
 Finding circles_finding() {
   Finding f;

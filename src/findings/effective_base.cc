@@ -14,8 +14,9 @@ namespace {
 
 /// Effective force and moment at rest on the ground.
 struct RestingForces {
-  double force = 0.;   ///< W' (N/m)
-  double moment = 0.;  ///< about the bottom's middle, overturning landward positive (N m/m)
+  double force = 0.;                   ///< W' (N/m)
+  double moment = 0.;                  ///< about the bottom's middle, overturning landward positive (N m/m)
+  double push = 0., push_moment = 0.;  ///< of still water at two levels; the moment is a part of that above
 };
 
 /// Weight minus the water that the caisson displaces; a cell that the level cuts displaces its part below it.
@@ -50,6 +51,8 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
   const Caisson& caisson = *simulation.compiled()->caisson;
   const StillWater still = still_water(simulation.scene(), caisson);
   rest.force += still.weight;
+  rest.push = still.push;
+  rest.push_moment = still.push_moment;
   rest.moment += still.push_moment + still.weight * caisson.bottom_width / 6.;  // B/6 landward of the middle
   return rest;
 }
@@ -74,6 +77,8 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   base.width = simulation.compiled()->caisson->bottom_width;
   base.weight = rest->force;
   base.weight_moment = rest->moment;
+  base.push = rest->push;
+  base.push_moment = rest->push_moment;
   for (std::size_t i = 0; i < ends.time.size(); ++i) {
     const auto t = static_cast<Eigen::Index>(i);
     double force = U[t], moment = M_U[t];

@@ -5,12 +5,14 @@
 #include "base/text.h"
 #include "findings/topics.h"
 #include "output/checks.h"
+#include "output/unjudged_limits.h"
 
 namespace upbead {
 
 // A finding has a file of its own, and a row here.
 Finding discretisation_finding();
 Finding rest_finding();
+Finding construction_finding();
 Finding shear_finding();
 Finding energy_finding();
 Finding reduction_finding();
@@ -22,6 +24,9 @@ Finding contact_finding();
 Finding sliding_finding();
 Finding base_finding();
 Finding circles_finding();
+Finding cycles_finding();
+Finding peak_safety_finding();
+Finding liquefaction_finding();
 Finding harbour_finding();
 Finding strength_finding();
 Finding cavitation_finding();
@@ -33,10 +38,12 @@ namespace {
 
 const std::vector<Finding>& findings() {
   static const std::vector<Finding> rows{
-      discretisation_finding(), rest_finding(),        shear_finding(),    energy_finding(),      reduction_finding(),
-      periods_finding(),        sliding_finding(),     yielding_finding(), base_finding(),        circles_finding(),
-      contact_finding(),        harbour_finding(),     strength_finding(), cavitation_finding(),  scene_finding(),
-      densification_finding(),  strain_soil_finding(), ways_finding(),     plausibility_finding()};
+      discretisation_finding(), rest_finding(),       construction_finding(), shear_finding(),
+      energy_finding(),         reduction_finding(),  periods_finding(),      sliding_finding(),
+      yielding_finding(),       base_finding(),       circles_finding(),      peak_safety_finding(),
+      liquefaction_finding(),   cycles_finding(),     contact_finding(),      harbour_finding(),
+      strength_finding(),       cavitation_finding(), scene_finding(),        densification_finding(),
+      strain_soil_finding(),    ways_finding(),       plausibility_finding()};
   return rows;
 }
 
@@ -99,6 +106,7 @@ Checks checks_of(const Scene& scene, const Summary& summary, const std::vector<F
       for (Check& check : list) check = not_checked(check, "void: there is no state at rest, see no_rest");
     append(all, list);
   }
+  append(all, unjudged_limits(scene.limits, all, true));
   return all;
 }
 

@@ -81,6 +81,24 @@ std::vector<Dataset> coupled_tables(const std::optional<SlidingSummary>& sliding
           {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
 }
 
+/// The factor of circles over time, and the slices of the one that governs.
+std::vector<Dataset> circle_tables(const std::optional<SlipCircles>& circles) {
+  if (!circles || !circles->governs) return {};
+  const auto& [x, width, base, surface, weight, pressure] = circles->slices;
+  Dataset factor{"circle/factor", "1",
+                 "least F of the circles found at rest and in motion, each held; no number where nothing drives one",
+                 circles->course.factor};
+  factor.may_lack = true;
+  return {{"circle/time", "s", "time", circles->course.time},
+          std::move(factor),
+          {"circle/x", "m", "middles of its slices", x},
+          {"circle/width", "m", "their widths", width},
+          {"circle/base", "m", "y of their bases", base},
+          {"circle/surface", "m", "y of the surface above", surface},
+          {"circle/weight", "Pa", "w + q of each slice, over its width", weight},
+          {"circle/pressure", "Pa", "excess pore pressure at its base, at the moment that governs", pressure}};
+}
+
 constexpr std::size_t most_rows = 20'000;
 
 /// What decides on the rows: stresses at nodes, which are singular at the edges of the base, do not.
@@ -156,6 +174,18 @@ std::vector<Dataset> names_of_histories(const Simulation& simulation) {
   return histories(simulation, {{}, none(system.readings.size()), none(system.loads.size())});
 }
 
+namespace {
+
+/// Course of the residual pore pressure of a storm.
+std::vector<Dataset> cycle_tables(const std::optional<CyclesSummary>& cycles) {
+  if (!cycles) return {};
+  return {{"cycles/time", "s", "time from the beginning of the storm, calm included", cycles->history_time},
+          {"cycles/largest_ratio", "1", "largest residual pore pressure over the effective stress at rest then",
+           cycles->history_ratio}};
+}
+
+}  // namespace
+
 std::vector<Dataset> tables(const Run& run) {
   const Scene& scene = run.simulation->scene();
   const Trajectory trajectory = trajectory_of(run);
@@ -172,7 +202,8 @@ std::vector<Dataset> tables(const Run& run) {
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
   for (auto part :
-       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding)})
+       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding),
+        circle_tables(run.summary.circles), cycle_tables(run.summary.cycles)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

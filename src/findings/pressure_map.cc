@@ -37,32 +37,67 @@ void for_points_in(const Cell& cell, const Mapping<dim>& mapping, const PointGri
     }
 }
 
+std::map<int, int> columns_of(const FieldBasis& basis) {
+  std::map<int, int> column;
+  for (std::size_t i = 0; i < basis.unknown.size(); ++i) column[basis.unknown[i]] = static_cast<int>(i);
+  return column;
+}
+
+/// Excess pressure at a place in a cell, per velocity of each of the basis' unknowns.
+std::vector<std::pair<int, double>> pressure_in(const Simulation& simulation, const Cell& cell, const Point<dim>& unit,
+                                                const std::map<int, int>& column) {
+  std::vector<std::pair<int, double>> list;
+  const FiniteElement<dim>& fe = cell->get_fe();
+  const Dofs dofs = dofs_of(cell);
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    if (fe.system_to_component_index(i).first != phi_component) continue;
+    const double value = fe.shape_value_component(i, unit, phi_component);
+    for (const auto& [unknown, weight] : simulation.unknowns()->expansion(dofs[i]))
+      if (const auto at = column.find(unknown); at != column.end()) list.emplace_back(at->second, weight * value);
+  }
+  return list;
+}
+
 }  // namespace
 
-PressureMap::PressureMap(const Solution& solution, const PointGrid& grid) : grid_(grid) {
-  const Simulation& simulation = *solution.simulation;
-  const PressureModel& model = *solution.pressures;
+Eigen::MatrixXd pressure_readings(const Simulation& simulation, const FieldBasis& basis,
+                                  const std::vector<std::array<double, 2>>& points) {
   const Space& space = *simulation.space();
-  std::map<int, int> column;
-  for (std::size_t i = 0; i < model.basis.unknown.size(); ++i) column[model.basis.unknown[i]] = static_cast<int>(i);
+  const std::map<int, int> column = columns_of(basis);
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<bool> found(points.size(), false);
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (!space.has_pores(cell)) continue;
+    const BoundingBox<dim> box = cell->bounding_box();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const Point<dim> at(points[p][0], points[p][1]);
+      if (found[p] || !box.point_inside(at, 1e-9) || !cell->point_inside(at)) continue;
+      found[p] = true;
+      for (const auto& [i, weight] :
+           pressure_in(simulation, cell, space.mapping().transform_real_to_unit_cell(cell, at), column))
+        entries.emplace_back(static_cast<int>(p), i, weight);
+    }
+  }
+  SparseMatrix rows(static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(basis.unknown.size()));
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows * (basis.unit.asDiagonal() * basis.columns());
+}
+
+PressureMap::PressureMap(const Simulation& simulation, const PressureModel& model, const PointGrid& grid)
+    : grid_(grid) {
+  const Space& space = *simulation.space();
+  const std::map<int, int> column = columns_of(model.basis);
   row_.assign(static_cast<std::size_t>(grid.n[0]) * static_cast<std::size_t>(grid.n[1]), -1);
   std::vector<Eigen::Triplet<double>> entries;
   int n_rows = 0;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (!space.has_pores(cell)) continue;
-    const FiniteElement<dim>& fe = cell->get_fe();
-    const Dofs dofs = dofs_of(cell);
     for_points_in(cell, space.mapping(), grid, [&](int point, const Point<dim>& unit) {
       int& row = row_[static_cast<std::size_t>(point)];
       if (row >= 0) return;
       row = n_rows++;
-      for (unsigned i = 0; i < dofs.size(); ++i) {
-        if (fe.system_to_component_index(i).first != phi_component) continue;
-        const double value = fe.shape_value_component(i, unit, phi_component);
-        for (const auto& [unknown, weight] : simulation.unknowns()->expansion(dofs[i]))
-          if (const auto at = column.find(unknown); at != column.end())
-            entries.emplace_back(row, at->second, weight * value);
-      }
+      for (const auto& [at, weight] : pressure_in(simulation, cell, unit, column))
+        entries.emplace_back(row, at, weight);
     });
   }
   rows_.resize(n_rows, static_cast<Eigen::Index>(model.basis.unknown.size()));
@@ -71,13 +106,25 @@ PressureMap::PressureMap(const Solution& solution, const PointGrid& grid) : grid
   time_ = series.time;
   velocities_ = series.reading;
   basis_ = &model.basis;
+  unknowns_ = simulation.unknowns().get();
 }
 
-std::function<double(double, double)> PressureMap::at(double time) const {
+Vector PressureMap::velocities_at(double time) const {
   const auto after = std::lower_bound(time_.begin(), time_.end(), time);
   auto column = static_cast<Eigen::Index>(after - time_.begin());
   if (after == time_.end() || (column > 0 && time - *std::prev(after) < *after - time)) --column;
-  const Eigen::VectorXd pressure = rows_ * phi_velocities(*basis_, velocities_.col(column));
+  return phi_velocities(*basis_, velocities_.col(column));
+}
+
+Vector PressureMap::at_nodes(double time) const {
+  const Vector phi = velocities_at(time);
+  Vector v = Vector::Zero(unknowns_->size());
+  for (std::size_t i = 0; i < basis_->unknown.size(); ++i) v[basis_->unknown[i]] = phi[static_cast<Eigen::Index>(i)];
+  return unknowns_->expand(v);
+}
+
+std::function<double(double, double)> PressureMap::at(double time) const {
+  const Eigen::VectorXd pressure = rows_ * velocities_at(time);
   std::vector<double> values(row_.size(), NAN);
   for (std::size_t i = 0; i < row_.size(); ++i)
     if (row_[i] >= 0) values[i] = pressure[row_[i]];

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "findings/finding.h"
 #include "upbead/sliding/base_pressure.h"
@@ -29,6 +30,12 @@ std::optional<ResidualSummary> find_residual(const Evidence& e);
 std::optional<ContactSummary> find_contact(const Evidence& e);
 /// Why the ground cannot be at rest; "" where it can, or where that is not known.
 std::string find_why_void(const Evidence& e);
+
+/// F_T in the rows of /history.
+std::vector<double> shear_of(const Evidence& e);
+/// Slip circles under the caisson, and why there are none.
+std::optional<SlipCircles> find_circles(const Evidence& e);
+std::string find_why_no_circles(const Evidence& e);
 
 /// Whether the response is that of a caisson whose friction was followed node by node; else it is bonded.
 bool is_solved_with_friction(const Summary& summary);

@@ -145,6 +145,10 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>
   return read_items(node, key, value);
 }
 
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value) {
+  return read_items(node, key, value);
+}
+
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
   if (!node.table()) return wrong_type(node, key, &value);
   Diagnostics all;
@@ -198,6 +202,10 @@ std::string type_text(const KeyInfo& key, const std::map<std::string, double>*) 
   return with_unit("a table of numbers", key);
 }
 
+std::string type_text(const KeyInfo&, const std::vector<std::string>*) {
+  return "a list of strings";
+}
+
 std::string print_value(const KeyInfo&, double value) {
   return to_toml(value);
 }
@@ -230,6 +238,12 @@ std::string print_value(const KeyInfo&, const std::map<std::string, double>& val
   std::vector<std::string> entries;
   for (const auto& [name, number] : value) entries.push_back(dotted("", name) + " = " + to_toml(number));
   return entries.empty() ? "" : "{ " + join(entries) + " }";
+}
+
+std::string print_value(const KeyInfo&, const std::vector<std::string>& value) {
+  std::vector<std::string> items;
+  for (const std::string& item : value) items.push_back(to_toml(item));
+  return items.empty() ? "" : "[" + join(items) + "]";
 }
 
 void visit_value(const KeyInfo& key, const std::string& path, double& value, const NumberVisitor& visitor) {

@@ -73,6 +73,7 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
 /// Reads one of key.words; `index` is its place in that list.
 Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index);
 
@@ -94,6 +95,7 @@ std::string type_text(const KeyInfo& key, const Pair*);
 std::string type_text(const KeyInfo& key, const std::vector<Pair>*);
 std::string type_text(const KeyInfo& key, const std::vector<double>*);
 std::string type_text(const KeyInfo& key, const std::map<std::string, double>*);
+std::string type_text(const KeyInfo& key, const std::vector<std::string>*);
 
 template <class V>
 std::string type_text(const KeyInfo& key, const std::optional<V>*) {
@@ -110,6 +112,7 @@ std::string print_value(const KeyInfo& key, const Pair& value);
 std::string print_value(const KeyInfo& key, const std::vector<Pair>& value);
 std::string print_value(const KeyInfo& key, const std::vector<double>& value);
 std::string print_value(const KeyInfo& key, const std::map<std::string, double>& value);
+std::string print_value(const KeyInfo& key, const std::vector<std::string>& value);
 
 template <class V>
 std::string print_value(const KeyInfo& key, const std::optional<V>& value) {
@@ -132,6 +135,7 @@ void visit_value(const KeyInfo& key, const std::string& path, std::map<std::stri
 inline void visit_value(const KeyInfo&, const std::string&, int&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, bool&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, std::string&, const NumberVisitor&) {}
+inline void visit_value(const KeyInfo&, const std::string&, std::vector<std::string>&, const NumberVisitor&) {}
 
 template <class V>
 void visit_value(const KeyInfo& key, const std::string& path, std::optional<V>& value, const NumberVisitor& visitor) {
@@ -178,6 +182,9 @@ inline ValueShape shape_of(const KeyInfo&, const std::vector<double>*) {
 }
 inline ValueShape shape_of(const KeyInfo&, const std::map<std::string, double>*) {
   return ValueShape::numbers;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::vector<std::string>*) {
+  return ValueShape::texts;
 }
 template <class V>
 ValueShape shape_of(const KeyInfo& key, const std::optional<V>*) {

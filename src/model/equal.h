@@ -64,12 +64,20 @@ inline bool operator==(const Densification& a, const Densification& b) {
   return members(a) == members(b);
 }
 
+inline auto members(const CyclicSoil& of) {
+  const auto& [relative_density, alpha, beta] = of;
+  return std::tie(relative_density, alpha, beta);
+}
+inline bool operator==(const CyclicSoil& a, const CyclicSoil& b) {
+  return members(a) == members(b);
+}
+
 inline auto members(const Region& of) {
   const auto& [kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k, kappa,
-               saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, interface,
+               saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic, interface,
                deformation, compressibility] = of;
   return std::tie(kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k,
-                  kappa, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification,
+                  kappa, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic,
                   interface, deformation, compressibility);
 }
 inline bool operator==(const Region& a, const Region& b) {

@@ -35,6 +35,15 @@ bool follows_strain(const Scene& scene) {
                      [](const auto& entry) { return entry.second.strain_law && entry.second.law == SoilLaw::elastic; });
 }
 
+std::vector<std::string> stages_in_order(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& [name, stage] : scene.construction) names.push_back(name);
+  std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return scene.construction.at(a).order < scene.construction.at(b).order;
+  });
+  return names;
+}
+
 bool yields(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
                      [](const auto& entry) { return entry.second.law != SoilLaw::elastic; });
@@ -43,6 +52,11 @@ bool yields(const Scene& scene) {
 bool has_strength(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
                      [](const auto& entry) { return entry.second.strength && entry.second.law == SoilLaw::elastic; });
+}
+
+bool builds_pressure(const Scene& scene) {
+  return scene.cycles && std::any_of(scene.regions.begin(), scene.regions.end(),
+                                     [](const auto& entry) { return entry.second.cyclic.has_value(); });
 }
 
 double contact_friction(const Scene& scene) {

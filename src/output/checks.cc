@@ -101,7 +101,13 @@ std::string text_of(const Check& check) {
 
 Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   Verdict verdict;
+  std::string unjudged;
   for (const Check& check : checks) {
+    const bool of_friction = check.name.rfind("force against friction", 0) == 0;  // its capacity is mu W', no limit
+    if (check.capacity && !check.why_not.empty() && !of_friction) {
+      ++verdict.unjudged;
+      unjudged += (unjudged.empty() ? "" : ", ") + name_of(check);
+    }
     if (!check.holds) continue;
     ++verdict.checked;
     if (!*check.holds) ++verdict.failing;
@@ -119,6 +125,7 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
                                   : "DOES NOT HOLD: " + std::to_string(verdict.failing) + " of " + n +
                                         " checks with a limit fail; the worst: ";
   if (verdict.governing) verdict.text += text_of(*verdict.governing);
+  if (verdict.unjudged > 0) verdict.text += "; given limits that were not checked: " + unjudged;
   for (const NumberedWarning& warning : warnings)
     if (warning.voids) verdict.why_void += (verdict.why_void.empty() ? "" : "; ") + warning.name;
   if (!verdict.why_void.empty()) {
@@ -188,6 +195,7 @@ OutputSchema<Verdict> verdict_outputs() {
           "margin", [](const V& v) { return v.governing ? v.governing->margin : std::nullopt; }, "", "its margin")
       .key("failing", &V::failing, "", "number of checks that do not hold")
       .key("checked", &V::checked, "", "number of checks with a limit")
+      .key("unjudged", &V::unjudged, "", "number of given limits that could not be checked: see their `why_not`")
       .reason("why_void", &V::why_void, "the warnings under which no verdict may be drawn; null where there is none");
 }
 

@@ -9,11 +9,9 @@
 
 namespace upbead {
 
+namespace detail {
+
 namespace {
-
-using namespace detail;
-
-const std::string nested_group = "/nested";
 
 /// Writes real and imaginary parts along another axis, the last one. std::complex is such a pair in memory.
 void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& values, std::vector<hsize_t> shape,
@@ -22,6 +20,40 @@ void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& va
   shape.push_back(2);
   image.numbers(path, shape, reinterpret_cast<const double*>(rows.data()), label);
 }
+
+}  // namespace
+
+void write_modes(Hdf5Image& image, const std::string& group, const ModalModel& modes) {
+  const hsize_t m = modes.n_modes(), k = modes.n_loads(), i = modes.n_readings();
+  write(image, group + "/pole", modes.pole, {m}, {"1/s", "pole_m of z_m' = pole_m z_m + sum_k load_mk f_k, Re and Im"});
+  write(image, group + "/load", modes.load, {m, k}, {"", "load_mk, Re and Im"});
+  write(image, group + "/reading", modes.reading, {i, m},
+        {"", "reading_im of y_i = Re sum_m reading_im z_m + sum_k (feedthrough_ik f_k + impulse_ik int f_k dt)"});
+  write_matrix(image, group + "/feedthrough", modes.feedthrough,
+               {"unit of the reading / unit of the load", "feedthrough_ik"});
+  write_matrix(image, group + "/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
+}
+
+void read_modes(ModelParts& parts, const std::string& group, ModalModel& modes) {
+  const std::size_t m = parts.length(group + "/pole"), k = modes.load_name.size(), i = modes.reading_label.size();
+  modes.pole = parts.complex_matrix(group + "/pole", {m});
+  modes.load = parts.complex_matrix(group + "/load", {m, k});
+  modes.reading = parts.complex_matrix(group + "/reading", {i, m});
+  modes.feedthrough = parts.matrix(group + "/feedthrough", i, k);
+  modes.impulse = parts.matrix(group + "/impulse", i, k);
+  for (int n = 0; n < modes.n_modes(); ++n)
+    if (modes.pole[n].real() > 0.)
+      parts.wrong((group == "/modes" ? "" : group + ": ") + "mode " + std::to_string(n) + " grows: Re of its pole is " +
+                  significant(modes.pole[n].real()) + " 1/s, and must not be above 0");
+}
+
+}  // namespace detail
+
+namespace {
+
+using namespace detail;
+
+const std::string nested_group = "/nested";
 
 const auto fields_of_nested = [](auto& nested, const auto& visit) {
   visit("solves", nested.solves);
@@ -51,30 +83,6 @@ const auto fields_of_sliding = [](auto& sliding, const auto& visit) {
   visit("uplift_per_force", sliding.uplift_per_force);
   visit("lag", sliding.lag);
 };
-
-void write_modes(Hdf5Image& image, const std::string& group, const ModalModel& modes) {
-  const hsize_t m = modes.n_modes(), k = modes.n_loads(), i = modes.n_readings();
-  write(image, group + "/pole", modes.pole, {m}, {"1/s", "pole_m of z_m' = pole_m z_m + sum_k load_mk f_k, Re and Im"});
-  write(image, group + "/load", modes.load, {m, k}, {"", "load_mk, Re and Im"});
-  write(image, group + "/reading", modes.reading, {i, m},
-        {"", "reading_im of y_i = Re sum_m reading_im z_m + sum_k (feedthrough_ik f_k + impulse_ik int f_k dt)"});
-  write_matrix(image, group + "/feedthrough", modes.feedthrough,
-               {"unit of the reading / unit of the load", "feedthrough_ik"});
-  write_matrix(image, group + "/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
-}
-
-void read_modes(ModelParts& parts, const std::string& group, ModalModel& modes) {
-  const std::size_t m = parts.length(group + "/pole"), k = modes.load_name.size(), i = modes.reading_label.size();
-  modes.pole = parts.complex_matrix(group + "/pole", {m});
-  modes.load = parts.complex_matrix(group + "/load", {m, k});
-  modes.reading = parts.complex_matrix(group + "/reading", {i, m});
-  modes.feedthrough = parts.matrix(group + "/feedthrough", i, k);
-  modes.impulse = parts.matrix(group + "/impulse", i, k);
-  for (int n = 0; n < modes.n_modes(); ++n)
-    if (modes.pole[n].real() > 0.)
-      parts.wrong((group == "/modes" ? "" : group + ": ") + "mode " + std::to_string(n) + " grows: Re of its pole is " +
-                  significant(modes.pole[n].real()) + " 1/s, and must not be above 0");
-}
 
 void write_nested(Hdf5Image& image, const NestedModels& nested) {
   image.group(nested_group);
@@ -172,6 +180,7 @@ std::string model_file(const ReducedModelFile& model) {
   }
   if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
+  if (model.circles) write_circles(image, *model.circles);
   image.seal();
   return image.bytes();
 }
@@ -191,6 +200,7 @@ ReducedModelFile read_model_file(const std::string& path) {
   if (parts.has("/sliding", "friction")) read_attributes(parts, "/sliding", fields_of_sliding, model.sliding.emplace());
   model.base = read_base(parts);
   model.slip = read_slip(parts);
+  model.circles = read_circles(parts, model.modes.load_name);
   parts.require_checksum();
   parts.throw_if_any();
   return model;

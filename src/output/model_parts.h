@@ -85,6 +85,16 @@ void read_attributes(ModelParts& parts, const std::string& group, const Fields& 
   });
 }
 
+/// Writes the modes of a model, in a group that exists.
+void write_modes(Hdf5Image& image, const std::string& group, const ModalModel& modes);
+/// Reads the same for the loads and readings that `modes` names, and notes mistakes.
+void read_modes(ModelParts& parts, const std::string& group, ModalModel& modes);
+
+/// Writes the part of a reduced model's file with its slip circles: the group /circles.
+void write_circles(Hdf5Image& image, const CircleModel& circles);
+/// Reads that group, and notes mistakes; none where the file has no such group. `loads`: of the model.
+std::optional<CircleModel> read_circles(ModelParts& parts, const std::vector<std::string>& loads);
+
 /// Writes the part of a reduced model's file for a caisson that slips: the group /slip.
 void write_slip(Hdf5Image& image, const ModelSlip& slip);
 

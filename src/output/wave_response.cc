@@ -34,6 +34,24 @@ OutputSchema<CoupledWave> coupled_wave_outputs() {
       .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative");
 }
 
+OutputSchema<CircleInWave> circle_in_wave_outputs() {
+  using C = CircleInWave;
+  return OutputSchema<C>()
+      .key("factor", &C::factor, "",
+           "least F by Bishop's simplified method, of the model's [circles](circles.md); 0 where the resultant leaves "
+           "the base, so that no width bears it")
+      .key("time", &C::time, "s", "when")
+      .reason("slips", &C::slips, "`landward` or `seaward`; null where the resultant leaves the base, as the next five")
+      .reason("by", &C::by, "pore pressure: `still` water's, or that `computed`")
+      .key("centre[]", &C::centre, "m", "of the circle")
+      .key("radius", &C::radius, "m", "of the circle")
+      .key("from", &C::from, "m", "x where it meets the surface on the left")
+      .key("to", &C::to, "m", "and on the right")
+      .key("force", &C::force, "N/m", "N' of the base then")
+      .key("shear", &C::shear, "N/m", "F_T then")
+      .key("moment", &C::moment, "N m/m", "M' then, about the middle of the base");
+}
+
 /// The keys of a wave; the datasets of responses.h5 take unit and meaning from here.
 const OutputSchema<WaveResponse>& wave_outputs() {
   using W = WaveResponse;
@@ -60,6 +78,12 @@ const OutputSchema<WaveResponse>& wave_outputs() {
           .key("peak_toe_pressure", &W::peak_toe_pressure, "Pa", "the same of the seaward edge; null likewise")
           .key("least_overturning_margin", &W::least_overturning_margin, "",
                "least margin against overturning; null where nothing overturns, or the file does not contain W'")
+          .key("least_sliding_factor", &W::least_sliding_factor, "",
+               "least mu N'/F_T while F_T acts landward; null where it never does, where S is not asked for, or the "
+               "file does not contain W'")
+          .key("least_sliding_factor_seaward", &W::least_sliding_factor_seaward, "", "the same seaward; null likewise")
+          .object("circle", &W::circle, circle_in_wave_outputs(),
+                  "the least safe slip circle under the caisson; null where the model has none")
           .key("sliding_coupled", slip, "m",
                "S where the caisson slips as a whole on the ground that it shakes, landward; null where not asked for, "
                "and where the model cannot compute it")
@@ -114,6 +138,9 @@ bool may_be_absent(const OutputRow& row) {
 }
 
 /// Datasets in which NaN stands for a number that a wave does not have.
+bool is_of_ground(const OutputRow& row) {
+  return row.path.rfind("least_sliding_factor", 0) == 0 || row.path.rfind("circle.", 0) == 0;
+}
 bool is_of_slip(const OutputRow& row) {
   return row.path == "sliding_coupled" || row.path == "least_overturning_margin" ||
          row.path.find("_pressure") != std::string::npos || row.path.rfind("coupled.", 0) == 0;
@@ -123,7 +150,7 @@ bool is_of_slip(const OutputRow& row) {
 void write_column(detail::Hdf5Image& image, const std::string& group, const std::vector<Json>& waves,
                   const OutputRow& row) {
   std::string path = "/" + row.path;
-  const bool of_slip = is_of_slip(row);
+  const bool of_slip = is_of_slip(row) || is_of_ground(row);
   const double none = of_slip ? std::numeric_limits<double>::quiet_NaN() : 0.;
   std::replace(path.begin(), path.end(), '.', '/');
   const Json::json_pointer at(path);
@@ -166,8 +193,12 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
     const bool slips = std::any_of(file.waves.begin(), file.waves.end(), [](const WaveResponse& wave) {
       return wave.coupled || !wave.why_not_coupled.empty();
     });
+    const bool has_circles =
+        std::any_of(file.waves.begin(), file.waves.end(), [](const WaveResponse& wave) { return !!wave.circle; });
     for (const OutputRow& row : wave_outputs().rows()) {
-      const bool absent = is_of_slip(row) ? !slips : may_be_absent(row) && waves.front().at(row.path).is_null();
+      const bool absent = is_of_ground(row) ? !has_circles
+                          : is_of_slip(row) ? !slips
+                                            : may_be_absent(row) && waves.front().at(row.path).is_null();
       if (row.is_number && !absent) write_column(image, "/" + file.name, waves, row);
     }
   }

@@ -1,6 +1,7 @@
 // responses.h5 and its summary: the results of `upbead respond` for each wave.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,17 @@ struct CoupledWave {
   double lifted_time = 0.;  ///< time in which N' would have been negative (s)
 };
 
+/// The least safe circle of a model's family in a wave.
+struct CircleInWave {
+  double factor =
+      0.;            ///< F by Bishop's simplified method; 0 where the resultant leaves the base, then without a circle
+  double time = 0.;  ///< s
+  std::string slips, by;                          ///< landward or seaward; still or computed pore pressure
+  std::optional<std::array<double, 2>> centre{};  ///< m
+  std::optional<double> radius{}, from{}, to{};   ///< of the circle, and x of its ends (m)
+  double force = 0., shear = 0., moment = 0.;     ///< N', F_T (N/m), M' (N m/m) then
+};
+
 /// Results for one wave. Landward positive, as in a run.
 struct WaveResponse {
   double peak_force = 0.;          ///< largest P (N/m)
@@ -37,6 +49,9 @@ struct WaveResponse {
   std::optional<double> sliding{};
   std::optional<double> peak_heel_pressure{}, peak_toe_pressure{};  ///< Pa; none as in BaseExtremes, or not known
   std::optional<double> least_overturning_margin{};                 ///< none likewise
+  /// mu N'/F_T while F_T acts that way; none where it never does, S was not asked for, or the base is not known.
+  std::optional<double> least_sliding_factor{}, least_sliding_factor_seaward{};
+  std::optional<CircleInWave> circle{};  ///< none where the model has no circles, or none has a factor
   std::optional<CoupledWave> coupled{};  ///< none where it was not asked for, or could not be computed
   std::string why_not_coupled{};         ///< why a result that was asked for could not be computed; else ""
 };

@@ -58,12 +58,18 @@ struct ReliabilityAnswer {
   std::string wave;
   std::vector<ModeAnswer> modes;  ///< limit states, then gates of the fault tree
   std::string system;             ///< name of the mode that stands for the whole
+  /// Limit states that a fault tree which the user did not give leaves out, as they cannot be asked: its probability is
+  /// one at least.
+  std::vector<std::string> left_out;
   std::vector<CodeRow> codes;
   NumberedWarnings variables;  ///< what is doubtful in the distributions
 };
 
 /// The mode of that name. Throws std::invalid_argument where there is none.
 const ModeAnswer& mode_of(const ReliabilityAnswer& answer, const std::string& name);
+
+/// ", without NAMES": what the system leaves out; "" where it is complete.
+std::string words_of_left_out(const ReliabilityAnswer& answer);
 
 /// Methods of one mode: chooses the one that governs, and finds disagreements; `occasions` of a year, `years` of life.
 ModeAnswer judged(ModeAnswer mode, double occasions, double years);

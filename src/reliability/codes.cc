@@ -60,7 +60,7 @@ std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& an
   rows.push_back(row_of_wave(answer, "sliding_0_3", "0.3 m"));
   rows.push_back(row_of_wave(answer, "sliding_1_0", "1 m"));
   const ModeAnswer& system = mode_of(answer, answer.system);
-  const std::string of = "of the system " + system.name;
+  const std::string of = "of the system " + system.name + words_of_left_out(answer);
   const std::string annex = "assumed: EN 1990 Annex B, class RC2";
   rows.push_back({"PIANC WG 28", "probability " + of + " in a life", "", system.life.probability, targets.pianc_life,
                   false, "assumed: ultimate limit state, safety class normal", system.why_not});

@@ -115,7 +115,23 @@ Diagnostics diagnose(const std::map<std::string, SystemNode>& gates, const std::
     } catch (const std::invalid_argument& circle) {
       list.add(at_key(name), circle.what(), "take it out of one of the lists");
     }
+  if (const std::vector<std::string> tops = tops_of(gates); list.empty() && tops.size() > 1)
+    list.add(at_key(tops[1]),
+             "gates " + join(tops) + " are each part of no other, and which stands for the whole is not said",
+             "join them in one gate, [reliability.system.NAME] any = [\"" + tops[0] + "\", \"" + tops[1] +
+                 "\"], or remove those that are not asked for");
   return list;
+}
+
+std::vector<std::string> tops_of(const std::map<std::string, SystemNode>& gates) {
+  std::vector<std::string> tops;
+  for (const auto& [name, gate] : gates) {
+    bool inside = false;
+    for (const auto& [other, above] : gates)
+      for (const std::string& part : (above.any ? above.any : above.all)->names) inside = inside || part == name;
+    if (!inside) tops.push_back(name);
+  }
+  return tops;
 }
 
 }  // namespace upbead

@@ -36,8 +36,11 @@ class FaultTree {
   static std::vector<std::vector<std::size_t>> cut_sets(const Node& node);
 };
 
-/// Mistakes of [reliability.system]: unknown names, gates with both or neither of any and all, circles. The key of a
-/// place is below that table.
+/// The gates that are part of no other one; each must have 'any' or 'all'.
+std::vector<std::string> tops_of(const std::map<std::string, SystemNode>& gates);
+
+/// Mistakes of [reliability.system]: unknown names, gates with both or neither of any and all, circles, more than one
+/// gate that is part of no other. The key of a place is below that table.
 Diagnostics diagnose(const std::map<std::string, SystemNode>& gates, const std::vector<std::string>& events);
 
 }  // namespace upbead

@@ -134,6 +134,14 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
   return mode;
 }
 
+/// What the tree without one of the user leaves out, as it cannot be asked.
+std::vector<std::string> left_out_of(const ReliabilityTable& table, const std::vector<SectionLimitState>& states) {
+  std::vector<std::string> names;
+  for (const SectionLimitState& state : states)
+    if (table.system.empty() && !state.margin && !state.of_codes) names.push_back(state.name);
+  return names;
+}
+
 /// The fault tree of the user; without one any limit state but S beyond the distances of codes.
 std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
                                            const std::vector<SectionLimitState>& states) {
@@ -143,17 +151,6 @@ std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
   for (const SectionLimitState& state : states)
     if (state.margin && !state.of_codes) any.any->names.push_back(state.name);
   return {{"system", any}};
-}
-
-/// The gate that is part of no other one; the first of several.
-std::string top_of(const std::map<std::string, SystemNode>& gates) {
-  for (const auto& [name, gate] : gates) {
-    bool inside = false;
-    for (const auto& [other, above] : gates)
-      for (const std::string& part : (above.any ? above.any : above.all)->names) inside = inside || part == name;
-    if (!inside) return name;
-  }
-  return gates.begin()->first;
 }
 
 ReliabilityAnswer answer_of(const Design& design) {
@@ -181,7 +178,9 @@ ReliabilityAnswer answer_of(const Design& design) {
     add(mode_of(work, state, found.back()));
   }
   for (const auto& [name, gate] : gates) add(gate_of(work, name, FaultTree(gates, name, names), states, found));
-  answer.system = top_of(gates);
+  answer.system = tops_of(gates).front();
+  answer.left_out = left_out_of(table, states);
+  if (!answer.left_out.empty()) answer.modes.back().meaning += words_of_left_out(answer) + ", which cannot be asked";
   answer.codes = code_rows(design, answer);
   return answer;
 }

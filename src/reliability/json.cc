@@ -26,7 +26,7 @@ OutputSchema<MethodAnswer> method_outputs() {
       .key("index", &M::index, "", "beta of that probability")
       .key("variation", &M::variation, "", "coefficient of variation of a sampled probability; null for form and sorm")
       .key("evaluations", &M::evaluations, "", "of the limit state")
-      .reason("why_not", &M::why_not, "why there is no probability");
+      .reason("why_not", &M::why_not, "why there is no probability, or what bounded it");
 }
 
 OutputSchema<DesignValue> value_outputs() {

@@ -26,6 +26,10 @@ const ModeAnswer& mode_of(const ReliabilityAnswer& answer, const std::string& na
   throw std::invalid_argument("there is no mode " + name);
 }
 
+std::string words_of_left_out(const ReliabilityAnswer& answer) {
+  return answer.left_out.empty() ? "" : ", without " + join(answer.left_out);
+}
+
 ModeAnswer judged(ModeAnswer mode, double occasions, double years) {
   const MethodAnswer *worst = nullptr, *best = nullptr;
   for (const MethodAnswer& answer : mode.methods) {

@@ -10,30 +10,35 @@ namespace upbead {
 
 namespace {
 
-/// mu (W' - U) - P over mu W' of the certain section: S.F. = 1 is its zero [Goda 2000].
+/// What still water at two levels does counts as in stability(): dW' always, a push where it acts with the wave.
+double vertical(const SectionPoint& at) {
+  return at.section.submerged_weight + at.still.weight - at.pressure.uplift;
+}
+
+/// mu (W' + dW' - U) - P - push over mu W' of the certain section: S.F. = 1 is its zero [Goda 2000].
 double against_sliding(const SectionPoint& at, double scale) {
-  const Section& s = at.section;
-  return (s.friction * (s.submerged_weight - at.pressure.uplift) - at.pressure.force) / scale;
+  return (at.section.friction * vertical(at) - at.pressure.force - std::max(at.still.push, 0.)) / scale;
 }
 
 double arm(const Section& s) {
   return s.centroid.value_or(0.5 * s.width);
 }
 
-/// W' t - M_U - M_P over W' t of the certain section [Goda 2000].
-double against_overturning(const SectionPoint& at, double scale) {
-  return (at.section.submerged_weight * arm(at.section) - at.pressure.uplift_moment - at.pressure.force_moment) / scale;
+/// W' t + dW' B/3 - M_U - M_P - M_push (N m/m) [Goda 2000].
+double moment_about_heel(const SectionPoint& at) {
+  const Section& s = at.section;
+  return s.submerged_weight * arm(s) + at.still.weight * s.width / 3. - at.pressure.uplift_moment -
+         at.pressure.force_moment - std::max(at.still.push_moment, 0.);
 }
 
 /// limit/p_e - 1, which goes on where there is no p_e: of a triangle, 1/p_e = 3 t_e/(2 W_e) [Goda 2000], falls through
 /// 0 as the resultant leaves the base; a caisson that floats is beyond that.
 double against_pressure(const SectionPoint& at, double limit) {
   const Section& s = at.section;
-  const double vertical = s.submerged_weight - at.pressure.uplift;
-  const double moment = s.submerged_weight * arm(s) - at.pressure.uplift_moment - at.pressure.force_moment;
-  if (vertical <= 0.) return -1. + std::min(vertical / std::abs(s.weight), 0.) - std::max(moment, 0.);
-  if (const auto pressure = stability(s, at.pressure).heel_pressure) return limit / *pressure - 1.;
-  return 1.5 * limit * moment / (vertical * vertical) - 1.;
+  const double force = vertical(at), moment = moment_about_heel(at);
+  if (force <= 0.) return -1. + std::min(force / std::abs(s.weight), 0.) - std::max(moment, 0.);
+  if (const auto pressure = stability(s, at.pressure, at.still).heel_pressure) return limit / *pressure - 1.;
+  return 1.5 * limit * moment / (force * force) - 1.;
 }
 
 SectionLimitState without(const std::string& name, const std::string& meaning, const std::string& why_not) {
@@ -45,15 +50,17 @@ SectionLimitState distance_state(const std::string& name, double limit) {
           [limit](const SectionPoint& at) { return sliding_margin(at, limit); }, "", true};
 }
 
-/// mu W' - P over mu W' of the certain section; no suction under the base, as in standing_answer().
+/// mu (W' + dW') - P - push over mu W' of the certain section, with the push of a higher harbour; no suction under the
+/// base, as in standing_answer().
 SectionLimitState seaward_state(const SeawardForce& seaward, double scale) {
   const std::string meaning = "safety factor against sliding seaward below 1 in the trough, mu W' < P";
   if (!seaward.of_height) return without("sliding_seaward", meaning, seaward.why_not);
   return {"sliding_seaward",
           meaning + "; waves above " + significant(seaward.highest, 3) + " m with the force of that height",
           [seaward, scale](const SectionPoint& at) {
-            const Section& s = at.section;
-            return (s.friction * s.submerged_weight - at.force_factor * seaward.of_height(at.height)) / scale;
+            const double holds = at.section.friction * (at.section.submerged_weight + at.still.weight);
+            const double push = std::max(-at.still.push, 0.);
+            return (holds - at.force_factor * seaward.of_height(at.height) - push) / scale;
           },
           "", false};
 }
@@ -80,7 +87,7 @@ std::vector<SectionLimitState> section_limit_states(const SectionPoint& at, cons
       {"sliding", "safety factor against sliding below 1, mu (W' - U) < P",
        [friction](const SectionPoint& p) { return against_sliding(p, friction); }, "", false},
       {"overturning", "safety factor against overturning below 1, W' t - M_U < M_P",
-       [moment](const SectionPoint& p) { return against_overturning(p, moment); }, "", false}};
+       [moment](const SectionPoint& p) { return moment_about_heel(p) / moment; }, "", false}};
   const char* const too_far = "S of one wave by eqs. (4) and (6) above limits.sliding";
   const char* const pressed = "heel pressure p_e above limits.base_pressure";
   if (at.limits.sliding)

@@ -76,11 +76,22 @@ std::vector<double> StandardSpace::physical(const std::vector<double>& u) const 
   return {x.begin(), x.end()};
 }
 
+namespace {
+
+/// Whether 0 and less are values like others: of rises and levels, and of angles.
+bool may_be_negative(const std::string& acts_on) {
+  const std::string key = acts_on.substr(acts_on.rfind('.') + 1);
+  const std::vector<std::string> keys{"water_level", "harbour_level", "angle", "direction", "facing"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+}  // namespace
+
 NumberedWarnings not_positive(const RandomVariables& variables) {
   constexpr double low = -4.;  // in standard space
   NumberedWarnings list;
   for (std::size_t i = 0; i < variables.list.size(); ++i) {
-    if (variables.list[i].acts_on == "water_level") continue;
+    if (may_be_negative(variables.list[i].acts_on)) continue;
     const double least = StandardSpace({{variables.names[i]}, {variables.list[i]}, {}}).physical({low})[0];
     if (least <= 0.)
       list.push_back({"variable_not_positive", least, 0., "1",

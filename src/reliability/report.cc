@@ -127,6 +127,26 @@ NumberedWarnings disagreements(const ReliabilityAnswer& answer) {
            "look at which methods agree, take more samples, or let \"plain\" judge where failure is not too rare"}};
 }
 
+NumberedWarnings left_out(const ReliabilityAnswer& answer) {
+  if (answer.left_out.empty()) return {};
+  std::string why;
+  for (const std::string& name : answer.left_out) why += "; " + name + ": " + mode_of(answer, name).why_not;
+  return {{"system_incomplete", static_cast<double>(answer.left_out.size()), 0., "1",
+           "the system leaves out " + join(answer.left_out) + ", and its probability is one at least" + why,
+           "give what they need, or [reliability.system.NAME] with the ways to fail that are meant"}};
+}
+
+/// Variables act at one level of still water.
+NumberedWarnings one_level(const DesignTables& tables) {
+  if (tables.levels.empty()) return {};
+  std::vector<std::string> names;
+  for (const auto& [name, rise] : tables.levels) names.push_back(name);
+  return {{"levels_not_used", static_cast<double>(names.size()), 0., "1",
+           "probabilities are those at the still water of [section], not at " + join(names) + " of [levels]",
+           "let a variable act on the factor water_level, or give [section] at the level that is worst in `upbead "
+           "waves`"}};
+}
+
 }  // namespace
 
 std::string describe(const Design& design, const ReliabilityAnswer& answer) {
@@ -148,7 +168,8 @@ std::string describe(const Design& design, const ReliabilityAnswer& answer) {
 Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
   const ModeAnswer& system = mode_of(answer, answer.system);
   Check check = check_of("reliability index of the life", "", system.life.index, "modes." + system.name + ".life.index",
-                         "occasions are independent of each other");
+                         "occasions are independent of each other" + words_of_left_out(answer) +
+                             (answer.left_out.empty() ? "" : ": at most this index"));
   check.by = "formulas";
   check.wave = answer.wave;
   if (!system.life.index) return {not_checked(check, system.why_not.empty() ? "its probability is 1" : system.why_not)};
@@ -158,6 +179,8 @@ Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
   append(list, answer.variables);
+  append(list, one_level(design.tables));
+  append(list, left_out(answer));
   append(list, few_samples(answer));
   append(list, disagreements(answer));
   return list;

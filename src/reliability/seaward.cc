@@ -41,7 +41,7 @@ SeawardForce seaward_force(const DesignTables& tables) {
     why_not = found.why_not;
     if (!found.answer) continue;
     height.push_back(wave.height);
-    force.push_back(found.answer->seaward.force);
+    force.push_back(-found.answer->worst.seaward.force);  // of the wave alone, without a push of still water
   }
   const double highest = height.back();
   if (height.size() < 4 || highest < given)  // fewer than the interpolation needs, or none for the wave itself

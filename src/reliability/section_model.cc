@@ -29,6 +29,7 @@ SectionPoint SectionModel::at(const std::vector<double>& x) {
   const Section level = at_water_level(tables_.section, tables_.water, factor("water_level"));
   SectionPoint out;
   out.section = with_factors(level, {1., 1., factor("friction"), factor("weight")});
+  out.still = still_water(out.section, tables_.water);
   WaveGiven given = tables_.waves.at(wave_);
   given.period = std::max(given.period * factor("period"), least_height);
   for (std::optional<double>* height : {&given.height, &given.significant_height, &given.deep_water_height})

@@ -15,6 +15,7 @@ namespace upbead {
 struct SectionPoint {
   Section section;        ///< at its water level, with the factors of mu and W
   WavePressure pressure;  ///< with the factors of P and U
+  StillWater still;       ///< by the harbour's level
   SlidingLoad load;
   Limits limits;
   double height = 0.;          ///< H (m)

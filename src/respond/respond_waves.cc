@@ -16,6 +16,7 @@
 #include "output/wave_response.h"
 #include "respond/answer_step.h"
 #include "respond/respond_slip.h"
+#include "respond/wave_circles.h"
 #include "respond/wave_grid.h"
 #include "upbead/base/error.h"
 #include "upbead/sliding/base_pressure.h"
@@ -134,8 +135,8 @@ class BaseAnswer {
         uplift_moment_(one_reading(model.modes, reading::uplift_moment), grid) {}
 
   /// `prescribed`: an uplift in addition to the computed one; empty: none.
-  BaseExtremes answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
-                      const Eigen::RowVectorXd& prescribed) const {
+  EffectiveBase answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
+                       const Eigen::RowVectorXd& prescribed) const {
     const auto of = [&](const OneReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
     const Eigen::RowVectorXd N = of(normal_), M = of(moment_);
     Eigen::RowVectorXd U = of(uplift_), M_U = of(uplift_moment_);
@@ -145,8 +146,7 @@ class BaseAnswer {
     }
     const auto list = [](const Eigen::RowVectorXd& row) { return std::vector<double>(row.begin(), row.end()); };
     const Eigen::RowVectorXd force = (N - U).array() + base_.weight, moment = (M + M_U).array() + base_.weight_moment;
-    return base_extremes(
-        {base_.width, base_.weight, base_.weight_moment, list(U), list(M_U), list(force), list(moment)}, grid.time);
+    return {base_.width, base_.weight, base_.weight_moment, 0., 0., list(U), list(M_U), list(force), list(moment)};
   }
 
  private:
@@ -169,7 +169,7 @@ struct Common {
     if (model.nested)
       for (const ModalModel* larger : {&model.nested->middle, &model.nested->reference})
         resolved.push_back({larger, tolerance});
-    if (options.sliding && model.base) {
+    if (asks_for_base()) {
       for (const char* name : {reading::normal_force, reading::uplift, reading::base_moment, reading::uplift_moment})
         of_base.push_back(one_reading(model.modes, name));
       for (std::size_t i = 0; i < of_base.size(); ++i)
@@ -184,6 +184,9 @@ struct Common {
   }
   Common(const Common&) = delete;
   Common& operator=(const Common&) = delete;
+
+  /// Whether S or slip circles need what presses on the base, whose uplift is known.
+  bool asks_for_base() const { return model.base && (options.sliding || (model.circles && !model.sliding)); }
 
   const ReducedModelFile& model;
   const RespondOptions& options;
@@ -224,7 +227,8 @@ class FileWork {
         shear_answer_(shear_, grid_) {
     if (options_.sliding && options_.sliding->uplift == "computed")
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
-    if (options_.sliding && model_.base) base_.emplace(model_, grid_);
+    if (common.asks_for_base()) base_.emplace(model_, grid_);
+    if (base_ && model_.circles) circles_.emplace(*model_.circles, grid_);
     if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
     if (n > most_numbers)
@@ -257,7 +261,11 @@ class FileWork {
     // Kinks of the loads make no kinks in F_T, as long as the loads do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
     set_checks(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
-    if (options_.sliding) set_sliding(loads, P, F, ends_at_zero, out);
+    Eigen::RowVectorXd prescribed;
+    if (options_.sliding && !uplift_ && options_.sliding->uplift != "none")
+      prescribed = uplift_of_force(*options_.sliding, grid_.time, P);
+    if (options_.sliding) set_sliding(loads, prescribed, F, ends_at_zero, out);
+    if (base_) set_base(loads, prescribed, F, ends_at_zero, out);
   }
 
  private:
@@ -267,27 +275,31 @@ class FileWork {
     if (checks_->error) out.error_estimate = peak > 0. ? checks_->error->of(loads).bound() / peak : 0.;
   }
 
-  void set_sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch,
-                   WaveResponse& out) const {
+  void set_sliding(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& F,
+                   bool batch, WaveResponse& out) const {
     const ModelSliding& bottom = *options_.sliding;
-    Eigen::RowVectorXd computed, prescribed;
-    if (uplift_)
-      computed = uplift_->answer(loads, grid_, batch);
-    else if (bottom.uplift != "none")
-      prescribed = uplift_of_force(bottom, grid_.time, P);
+    Eigen::RowVectorXd computed;
+    if (uplift_) computed = uplift_->answer(loads, grid_, batch);
     const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
-    if (base_) {
-      const BaseExtremes base = base_->answer(loads, grid_, batch, prescribed);
-      out.peak_heel_pressure = base.peak_heel_pressure;
-      out.peak_toe_pressure = base.peak_toe_pressure;
-      out.least_overturning_margin = base.least_overturning_margin;
-    }
     if (!slip_) return;
     SlipOfWave slip =
         slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
     out.coupled = slip.coupled;
     out.why_not_coupled = std::move(slip.why_not);
+  }
+
+  void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& F, bool batch,
+                WaveResponse& out) const {
+    const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed);
+    if (circles_) out.circle = circles_->answer(loads, grid_, batch, base, F);
+    if (!options_.sliding) return;
+    const BaseExtremes worst = base_extremes(base, grid_.time);
+    out.peak_heel_pressure = worst.peak_heel_pressure;
+    out.peak_toe_pressure = worst.peak_toe_pressure;
+    out.least_overturning_margin = worst.least_overturning_margin;
+    out.least_sliding_factor = least_sliding_factor(options_.sliding->friction, base, F, 1.);
+    out.least_sliding_factor_seaward = least_sliding_factor(options_.sliding->friction, base, F, -1.);
   }
 
   const ReducedModelFile& model_;
@@ -301,6 +313,7 @@ class FileWork {
   std::shared_ptr<const WaveChecks> checks_;
   OneReading shear_answer_;
   std::optional<BaseAnswer> base_;        ///< where S is asked for and the model has readings of the base
+  std::optional<WaveCircles> circles_;    ///< where the model has circles and readings of the base
   std::optional<OneReading> uplift_;      ///< where S is asked for, with the model's pore pressure
   std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked for and the model has a slip part
   WaveResponses result_;

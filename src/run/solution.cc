@@ -2,6 +2,7 @@
 #include "fem/compile.h"
 #include "fem/rest_state.h"
 #include "fem/scene_check.h"
+#include "run/construction.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
@@ -73,6 +74,7 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
   monitors->look(solution);
   solution.watched = monitors;
   solution.safety = safety_of(*solved, solution);
+  if (!solution.construction) solution.construction = build(*solved);
   return with_sliding(std::move(solution), simulation.given());
 }
 

@@ -156,7 +156,8 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene()));
   const bool is_shown = !wanted(shown.time, observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
-  const bool states = simulation.scene().fields_every || is_shown || has_strength(simulation.scene());
+  const bool states = simulation.scene().fields_every || is_shown || has_strength(simulation.scene()) ||
+                      builds_pressure(simulation.scene());
   const bool by_name = simulation.scene().time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model

@@ -10,26 +10,34 @@
 namespace upbead {
 
 Watched::Watched(const Simulation& simulation) {
+  if (simulation.scene().limits.liquefaction && !simulation.processes())
+    upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
   if (simulation.processes())
-    why_no_pressure = why_no_strength = "several processes share the work";
+    why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";
   else if (!std::isfinite(level))
-    why_no_pressure = why_no_strength = "no still water level is known: give [initial] water_level";
+    why_no_pressure = why_no_strength = why_no_cyclic = "no still water level is known: give [initial] water_level";
   if (!why_no_pressure.empty()) return;
   pressure.emplace(*simulation.space(), *simulation.unknowns(), simulation.scene(), level);
-  if (!has_strength(simulation.scene())) return;
+  const bool builds = builds_pressure(simulation.scene());
+  if (!has_strength(simulation.scene()) && !builds) return;
   try {
-    const StaticStage rest = solve_static(simulation.scene(), *simulation.mesh());
-    strength.emplace(*simulation.space(), *simulation.unknowns(), rest.stress, k0_of(simulation.scene()));
+    rest = solve_static(simulation.scene(), *simulation.mesh());
   } catch (const NumericsError& error) {
-    why_no_strength = error.what();
+    why_no_strength = why_no_cyclic = error.what();
+    return;
   }
+  if (has_strength(simulation.scene()))
+    strength.emplace(*simulation.space(), *simulation.unknowns(), rest->stress, k0_to_apply(simulation.scene()));
+  if (builds) cyclic.emplace(*simulation.space(), *simulation.unknowns());
 }
 
 std::vector<MarchObserver*> Watched::observers() {
   std::vector<MarchObserver*> list;
   if (pressure) list.push_back(&*pressure);
   if (strength) list.push_back(&*strength);
+  if (cyclic) list.push_back(&*cyclic);
+  if (upward) list.push_back(&*upward);
   return list;
 }
 
@@ -38,7 +46,9 @@ void Watched::look(const Solution& solution) {
   const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.compiled()->system); };
   const auto duration = [&] { return step_of_loads(simulation.scene(), 4).duration; };
   if (solution.pressures && pressure) pressure->see(*solution.pressures, loads(), duration());
+  if (solution.pressures && upward) upward->see(*solution.pressures, loads());
   if (solution.states && strength) strength->see(*solution.states, loads(), duration());
+  if (solution.states && cyclic) cyclic->see(*solution.states, loads(), duration());
 }
 
 }  // namespace upbead

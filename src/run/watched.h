@@ -1,11 +1,14 @@
-// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil.
+// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil, shear
+// of sand that builds pore pressure, excess pressure below the surface of the ground.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "response/cyclic_shear.h"
 #include "response/monitors.h"
+#include "response/upward_pressure.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
@@ -22,7 +25,10 @@ class Watched {
 
   std::optional<LeastPressure> pressure;
   std::optional<Mobilisation> strength;
-  std::string why_no_pressure, why_no_strength;  ///< "" where there is one
+  std::optional<CyclicShear> cyclic;
+  std::optional<UpwardPressure> upward;  ///< where [limits] liquefaction asks for it
+  std::optional<StaticStage> rest;       ///< the ground at rest, where strength or cycles ask for it
+  std::string why_no_pressure, why_no_strength, why_no_cyclic;  ///< "" where there is one
 };
 
 }  // namespace upbead

@@ -13,6 +13,7 @@
 #include "model/soil_law_row.h"
 #include "model/words.h"
 #include "response/compaction.h"
+#include "run/construction.h"
 #include "run/derived.h"
 #include "run/solve.h"
 #include "run/yielding_watch.h"
@@ -69,8 +70,9 @@ SoilWork work_of(const Simulation& simulation) {
 /// The state before the waves.
 struct Rest {
   StaticStage elastic;
-  std::optional<RestState> failing;  ///< of Mohr-Coulomb soil, where one was found
-  std::string why_none;              ///< "" where one was found, and without such soil
+  std::optional<RestState> failing;                   ///< of Mohr-Coulomb soil, where one was found
+  std::string why_none;                               ///< "" where one was found, and without such soil
+  std::optional<ConstructionSummary> construction{};  ///< of such soil, where it is built in stages
 };
 
 RestSummary summary_of(const RestState& rest) {
@@ -79,7 +81,9 @@ RestSummary summary_of(const RestState& rest) {
 
 std::string why_none(const RestState& rest) {
   if (rest.found) return {};
-  return (rest.none ? "no stress within the strength is in equilibrium with the weights: the ground gives way in "
+  const std::string stage = rest.falls_in.empty() ? "" : "in the stage '" + rest.falls_in + "' of construction ";
+  return stage +
+         (rest.none ? "no stress within the strength is in equilibrium with the weights: the ground gives way in "
                     : "no state at rest was found, nor was it shown that there is none; the ground moves most in ") +
          rest.gives_way;
 }
@@ -158,10 +162,12 @@ Solution run_yielding(const Simulation& simulation, const MarchOptions& marching
     RestState found =
         rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("state at rest"));
     rest.why_none = why_none(found);
+    rest.construction = construction_of(simulation, found);
     if (found.found) rest.failing = std::move(found);
   }
   const RestStart start = start_of(simulation.scene());
   Solution solution = climb_from(simulation, start, rest, marching, options.follower);
+  solution.construction = rest.construction;
   solution.simulation = std::make_shared<const Simulation>(simulation);
   if (options.bounds && simulation.compiled()->caisson && wants_bounds(simulation.scene())) {
     int n = 0;

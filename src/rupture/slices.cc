@@ -7,14 +7,14 @@ namespace upbead {
 
 namespace {
 
-constexpr double least_m_alpha = 0.2;
-
-/// Ends of about n slices, none of which is partly under the strip.
-std::vector<double> ends_of_slices(const std::optional<StripLoad>& strip, double from, double to, int n) {
+/// Ends of about n slices, none of which is partly under the strip or across a kink of the line.
+std::vector<double> ends_of_slices(const std::optional<StripLoad>& strip, double from, double to, int n,
+                                   std::vector<double> kinks) {
+  if (strip) kinks.insert(kinks.end(), {strip->from, strip->to});
+  std::sort(kinks.begin(), kinks.end());
   std::vector<double> corners{from};
-  if (strip)
-    for (const double x : {strip->from, strip->to})
-      if (x > corners.back() && x < to) corners.push_back(x);
+  for (const double x : kinks)
+    if (x > corners.back() && x < to) corners.push_back(x);
   corners.push_back(to);
   std::vector<double> ends{from};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -100,12 +100,13 @@ double fixed_factor(const std::vector<Borne>& slices, double driving) {
 }  // namespace
 
 Slices slices_of(const GroundSection& section, const GroundLoads& loads,
-                 const std::function<std::optional<BasePoint>(double x)>& line, double from, double to, int n) {
+                 const std::function<std::optional<BasePoint>(double x)>& line, double from, double to, int n,
+                 const std::vector<double>& kinks) {
   if (loads.strip) {
     const double trifle = 1e-9 * (loads.strip->to - loads.strip->from);
     if (from > loads.strip->from + trifle || to < loads.strip->to - trifle) return {{}, NoFactor::uncut};
   }
-  const std::vector<double> ends = ends_of_slices(loads.strip, from, to, n);
+  const std::vector<double> ends = ends_of_slices(loads.strip, from, to, n, kinks);
   Slices found;
   found.list.resize(ends.size() - 1);
   for (std::size_t i = 0; i < found.list.size(); ++i) {

@@ -11,6 +11,8 @@
 
 namespace upbead {
 
+constexpr double least_m_alpha = 0.2;  ///< below which a slice's m_alpha is too small for the method
+
 /// Why a figure has no factor of safety.
 enum class NoFactor {
   none,
@@ -51,10 +53,12 @@ struct Slices {
   NoFactor why = NoFactor::none;
 };
 
-/// About n slices of the ground between x = from and x = to above the line; none is partly under the strip. `line`:
-/// none where it is not defined. The horizontal force of the strip is not in them.
+/// About n slices of the ground between x = from and x = to above the line; none is partly under the strip, or across
+/// one of the `kinks` of the line. `line`: none where it is not defined. The horizontal force of the strip is not in
+/// them.
 Slices slices_of(const GroundSection& section, const GroundLoads& loads,
-                 const std::function<std::optional<BasePoint>(double x)>& line, double from, double to, int n);
+                 const std::function<std::optional<BasePoint>(double x)>& line, double from, double to, int n,
+                 const std::vector<double>& kinks = {});
 
 /// F = sum [(c' + (w + q - u) tan phi') b weight/m_alpha]/driving, m_alpha = cos alpha (1 + tan alpha tan phi'/F),
 /// where the driving force (N/m) is positive; `weight` of each slice: 1 for circles, 1/cos alpha for forces along x. A

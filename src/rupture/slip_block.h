@@ -19,12 +19,16 @@ FigureSafety block_safety(const GroundSection& section, const GroundLoads& loads
 struct FoundBlock {
   SlipBlock block;
   FigureSafety safety;
+  /// It stands where m_alpha is 0.2 or where the wedges that are tried end: less safe blocks may have no factor, and
+  /// its factor is no number of the section.
+  bool is_at_limit = false;
+  double share_steep = 0.;  ///< of the blocks of the grid, those that have no factor as m_alpha is below 0.2
 };
 
 struct BlockOptions {
   int n_slices = 30, n_slices_found = 400;
-  std::array<int, 5> grid{6, 8, 8, 5, 5};  ///< ends on the left, on the right, levels, slopes of both wedges
-  int starts = 4;
+  std::array<int, 5> grid{6, 8, 8, 5, 5};  ///< ends behind and ahead, levels, wedges behind and ahead
+  int starts = 25, n_generations = 150, n_polish = 1000;
 };
 
 /// The least safe block with ends in `range` and a level plane at y in `levels`; none where no block has a factor.

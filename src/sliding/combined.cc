@@ -41,6 +41,8 @@ class Parts {
     return t < pulse_.duration ? pulse_.peak * (1. - std::abs(t - half_) / half_) : 0.;
   }
   double force(double t) const { return std::max(standing(t), triangle(t)); }
+  /// Largest P, 0 where there is no force.
+  double largest() const { return std::max(peak_, pulse_.peak); }
   double t1() const { return t1_; }
   double t2() const { return t2_; }
 
@@ -61,10 +63,10 @@ class Parts {
 };
 
 void require_sound(const CombinedWave& wave) {
-  if (!(wave.period > 0. && wave.standing_force >= 0. && wave.uplift >= 0. && wave.impulsive.peak > 0. &&
+  if (!(wave.period > 0. && wave.standing_force >= 0. && wave.uplift >= 0. && wave.impulsive.peak >= 0. &&
         wave.impulsive.duration > 0. && wave.impulsive.duration <= 0.5 * wave.period))
     throw std::invalid_argument(
-        "a combined wave needs period and peak > 0, standing force and uplift >= 0, and 0 < tau_0 <= T/2");
+        "a combined wave needs period > 0, peak, standing force and uplift >= 0, and 0 < tau_0 <= T/2");
 }
 
 std::vector<double> times_of(const CombinedWave& wave, const Parts& parts) {
@@ -76,7 +78,8 @@ std::vector<double> times_of(const CombinedWave& wave, const Parts& parts) {
 }
 
 double uplift_at(const CombinedWave& wave, const CombinedModel& model, const Parts& parts, double t) {
-  if (model.uplift == UpliftShape::in_phase) return wave.uplift * parts.force(t) / wave.impulsive.peak;
+  if (model.uplift == UpliftShape::in_phase)
+    return parts.largest() > 0. ? wave.uplift * parts.force(t) / parts.largest() : 0.;
   return 2. * t < wave.period ? model.uplift_gain * wave.uplift * std::sin(2. * pi * t / wave.period) : 0.;
 }
 
@@ -116,7 +119,7 @@ double sliding_distance_combined(double mass, double resistance, double friction
                                  const CombinedModel& model) {
   require_sound(wave);
   const double peak = std::max(wave.impulsive.peak, wave.standing_force);
-  const double uplift = wave.uplift * std::max(model.uplift_gain, peak / wave.impulsive.peak);
+  const double uplift = wave.uplift * std::max(model.uplift_gain, 1.);
   if (peak + friction * uplift <= resistance) return 0.;  // most waves end here
   const History F_S = history_of(
       wave, [&](const Parts& parts, double t) { return parts.force(t) + friction * uplift_at(wave, model, parts, t); });

@@ -126,14 +126,6 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal
   return all;
 }
 
-Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value) {
-  if (!node.array()) return refuse(node, key, type_text(key, &value));
-  value.clear();
-  Diagnostics all;
-  for (const Node& item : *node.array()) all.add(read_value(item, key, value.emplace_back()));
-  return all;
-}
-
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value) {
   if (!node.table()) return refuse(node, key, type_text(key, &value));
   return read_settings(node, key, "", value);
@@ -144,9 +136,6 @@ std::string type_text(const KeyInfo&, const Literal*) {
 }
 std::string type_text(const KeyInfo&, const std::vector<Literal>*) {
   return "a list of values";
-}
-std::string type_text(const KeyInfo&, const std::vector<std::string>*) {
-  return "a list of strings";
 }
 std::string type_text(const KeyInfo&, const std::map<std::string, Literal>*) {
   return "a table of values";
@@ -159,12 +148,6 @@ std::string print_value(const KeyInfo&, const Literal& value) {
 std::string print_value(const KeyInfo&, const std::vector<Literal>& value) {
   std::vector<std::string> items;
   for (const Literal& item : value) items.push_back(item.toml);
-  return items.empty() ? "" : "[" + join(items) + "]";
-}
-
-std::string print_value(const KeyInfo&, const std::vector<std::string>& value) {
-  std::vector<std::string> items;
-  for (const std::string& item : value) items.push_back(to_toml(item));
   return items.empty() ? "" : "[" + join(items) + "]";
 }
 

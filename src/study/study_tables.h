@@ -25,13 +25,11 @@ Literal literal(double number);
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, Literal& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value);
-Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
 /// Reads values by dotted key; tables within the table lengthen the key.
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value);
 
 std::string type_text(const KeyInfo& key, const Literal*);
 std::string type_text(const KeyInfo& key, const std::vector<Literal>*);
-std::string type_text(const KeyInfo& key, const std::vector<std::string>*);
 std::string type_text(const KeyInfo& key, const std::map<std::string, Literal>*);
 inline ValueShape shape_of(const KeyInfo&, const Literal*) {
   return ValueShape::anything;
@@ -39,21 +37,16 @@ inline ValueShape shape_of(const KeyInfo&, const Literal*) {
 inline ValueShape shape_of(const KeyInfo&, const std::vector<Literal>*) {
   return ValueShape::list;
 }
-inline ValueShape shape_of(const KeyInfo&, const std::vector<std::string>*) {
-  return ValueShape::texts;
-}
 inline ValueShape shape_of(const KeyInfo&, const std::map<std::string, Literal>*) {
   return ValueShape::table;
 }
 
 std::string print_value(const KeyInfo& key, const Literal& value);
 std::string print_value(const KeyInfo& key, const std::vector<Literal>& value);
-std::string print_value(const KeyInfo& key, const std::vector<std::string>& value);
 std::string print_value(const KeyInfo& key, const std::map<std::string, Literal>& value);
 
 /// Nothing to visit: these types have no key with a unit.
 inline void visit_value(const KeyInfo&, const std::string&, std::vector<Literal>&, const NumberVisitor&) {}
-inline void visit_value(const KeyInfo&, const std::string&, std::vector<std::string>&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, std::map<std::string, Literal>&, const NumberVisitor&) {}
 
 /// How the varied keys combine.

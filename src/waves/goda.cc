@@ -111,7 +111,11 @@ Section at_water_level(const Section& section, const Water& water, double rise) 
   s.berm_depth += rise;
   s.crest -= rise;
   const double under_water = std::clamp(rise, -section.foundation_depth, section.crest);
-  s.submerged_weight -= water.density * water.gravity * section.width * under_water;
+  const double buoyancy = water.density * water.gravity * section.width * under_water;
+  s.submerged_weight -= buoyancy;
+  // buoyancy of upright walls acts at B/2, not at t
+  if (s.centroid && s.submerged_weight != 0.)
+    s.centroid = (section.submerged_weight * *section.centroid - buoyancy * 0.5 * section.width) / s.submerged_weight;
   return s;
 }
 

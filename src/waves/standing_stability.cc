@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "upbead/base/error.h"
+#include "upbead/waves/edge_pressures.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead {
@@ -21,7 +22,10 @@ WavePressure resultants(const WallPressure& at, double width, double factor) {
 }
 
 /// Stability seaward: seen from the sea the section's heel is its toe, and the harbour is in front. `still.weight` then
-/// has its line 2B/3 from the edge about which it turns, where stability() takes B/3.
+/// has its line 2B/3 from the edge about which it turns, where stability() takes B/3. Under the base the pressure falls
+/// by a triangle that is largest at the toe. That suction holds the caisson, and is left out where it slides or turns;
+/// but it also presses the toe on the mound, S = -p_u B/2 at B/3 from the toe: p_e is the larger one of both, as nobody
+/// knows how far suction comes under the base.
 Stability seaward(Section section, const Water& water, const WallPressure& trough, double factor) {
   StillWater still = still_water(section, water);
   const double W = section.submerged_weight + still.weight, B = section.width;
@@ -29,7 +33,13 @@ Stability seaward(Section section, const Water& water, const WallPressure& troug
   section.centroid = (section.submerged_weight * (B - t) + still.weight * 2. / 3. * B) / W;
   section.submerged_weight = W;
   still = {-still.push, -still.push_moment, 0.};
-  return stability(section, resultants(trough, B, factor), still);
+  WavePressure pressure = resultants(trough, B, factor);
+  pressure.uplift_moment = pressure.uplift * B / 3.;  // about the toe, where it is largest
+  Stability s = stability(section, pressure, still);
+  still.weight = -0.5 * B * factor * std::min(trough.edge_pressure, 0.);
+  const std::optional<double> sucked = stability(section, pressure, still).heel_pressure;
+  if (above_all(sucked) > above_all(s.heel_pressure)) s.heel_pressure = sucked;
+  return s;
 }
 
 /// Integrals of rho g min(z, H + (H / cosh(kh) - H) (z - H)/(h - H)) over the depth z from 0 to h': force, and moment
@@ -43,6 +53,7 @@ WallPressure sainflou_trough(const Section& section, const Water& water, double 
   at.force = -unit_weight * (0.5 * knee * knee + 0.5 * (knee + at_foot) * below);
   at.force_moment =
       -unit_weight * (0.5 * knee * knee * (below + knee / 3.) + (2. * knee + at_foot) * below * below / 6.);
+  at.edge_pressure = -unit_weight * at_foot;
   return at;
 }
 
@@ -64,9 +75,7 @@ StandingResult standing_answer(const Section& section, const Water& water, const
     const StandingWave standing({section.water_depth, wave.height, wave.period}, water);
     StandingAnswer a{standing.wavelength(), standing.residual(), standing_extremes(standing, section), {}, {}};
     a.landward = stability(section, resultants(a.worst.landward, section.width, factor), still_water(section, water));
-    WallPressure trough = a.worst.seaward;
-    trough.uplift = trough.edge_pressure = 0.;
-    a.seaward = seaward(section, water, trough, factor);
+    a.seaward = seaward(section, water, a.worst.seaward, factor);
     return {a, ""};
   } catch (const NumericsError& error) {
     return none(error.what());

@@ -25,17 +25,19 @@ const std::vector<BadCase> rows{
     BadCase{
         "UnknownKeyAtTheTop", "title = \"prototype\"", "name = \"prototype\"",
         "case.toml:1:1: unknown key 'name' at the top of the file; known keys: title, gravity, fluid, mesh, "
-        "regions, boundaries, loads, section, initial, time, accuracy, probes, measured, output, sliding, limits, "
-        "report, levels, duration, combined, ground, waves, sea, storms, life, scatter, dynamics, impact, calibration, "
-        "reliability"},
+        "regions, boundaries, loads, section, duration, combined, initial, construction, time, accuracy, probes, "
+        "measured, "
+        "output, sliding, cycles, limits, report, levels, ground, waves, sea, storms, life, scatter, dynamics, impact, "
+        "calibration, reliability"},
     BadCase{"KeyOfAnotherKind", "boundary = \"front\"", "gauges = \"g.csv\"\nboundary = \"front\"",
             "case.toml:47:1: 'gauges' does not belong in [loads.impact] (only where kind = \"pressures\"); remove it"},
     BadCase{
         "TableOfNone", "[output]", "[harbour]\nfriction = 0.6\n[output]",
         "case.toml:79:2: unknown key 'harbour' at the top of the file; known keys: title, gravity, fluid, mesh, "
-        "regions, boundaries, loads, section, initial, time, accuracy, probes, measured, output, sliding, limits, "
-        "report, levels, duration, combined, ground, waves, sea, storms, life, scatter, dynamics, impact, calibration, "
-        "reliability"},
+        "regions, boundaries, loads, section, duration, combined, initial, construction, time, accuracy, probes, "
+        "measured, "
+        "output, sliding, cycles, limits, report, levels, ground, waves, sea, storms, life, scatter, dynamics, impact, "
+        "calibration, reliability"},
     BadCase{"StringForANumber", "shear_modulus = 100e6", "shear_modulus = \"stiff\"",
             "case.toml:16:1: shear_modulus: expected a number (Pa), found a string; give the shear modulus G of the "
             "skeleton (Pa)"},

@@ -26,6 +26,11 @@ const std::vector<BadCase> rows{
     BadCase{
         "K0Negative", "[time]", "[initial]\nk0 = -0.5\n[time]",
         "case.toml:67:1: k0 = -0.5 is outside (0, 5); give the ratio K_0 of horizontal to vertical effective stress"},
+    BadCase{"StageWithoutOrder", "[time]", "[construction]\nmound = { regions = [\"rubble\"] }\n[time]",
+            "case.toml:67:1: 'order' is missing in [construction.mound]; add order, a whole number"},
+    BadCase{"StageOfAWord", "[time]", "[construction]\nmound = { order = 1, regions = \"rubble\" }\n[time]",
+            "case.toml:67:22: regions: expected a list of strings, found a string; give the regions that appear in "
+            "this stage, without stress, on what stands already"},
     BadCase{"StrainWithoutDamping", "damping = { ratio = 0.05, frequencies = [1.0, 8] }", "strain = {}",
             "case.toml:14:10: [regions.rubble]: 'damping' is missing, whose frequencies strain-dependent damping "
             "needs; add damping = { ratio = 0.05, frequencies = [1.0, 10.0] }"},
@@ -69,6 +74,18 @@ const std::vector<BadCase> rows{
     BadCase{"DensificationOfASolid", "youngs_modulus = 30e9",
             "youngs_modulus = 30e9\ndensification = { relative_density = 0.5 }",
             "case.toml:30:1: 'densification' does not belong in [regions.block] (only in porous regions); remove it"},
+    BadCase{"CyclicOfWhat", "tortuosity = 1.2", "tortuosity = 1.2\ncyclic = { alpha = 0.25 }",
+            "case.toml:23:1: [regions.rubble]: neither 'relative_density' nor both of 'alpha' and 'beta' are given, "
+            "which cyclic needs; add relative_density = 0.5, or alpha and beta of cyclic tests"},
+    BadCase{
+        "CyclicOfYieldingSoil", "tortuosity = 1.2",
+        "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\n"
+        "cyclic = { relative_density = 0.6 }",
+        "case.toml:25:1: [regions.rubble]: the shear of soil that yields is not proportional to the wave, as cycles "
+        "of a storm need; write law = \"elastic\", or use densification, which follows every cycle, instead of "
+        "cyclic"},
+    BadCase{"CyclicOfASolid", "youngs_modulus = 30e9", "youngs_modulus = 30e9\ncyclic = { relative_density = 0.5 }",
+            "case.toml:30:1: 'cyclic' does not belong in [regions.block] (only in porous regions); remove it"},
     BadCase{"UnknownFit", "ratio = 0.05,", "ratio = 0.05, fit = \"bnad\",",
             "case.toml:25:27: fit = \"bnad\" is none of ends, band; did you mean 'band'?"},
 };

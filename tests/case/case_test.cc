@@ -146,6 +146,22 @@ TEST_F(CaseTest, UnderstandsOlderNames) {
   EXPECT_EQ(notes_on(read(small_case, {"mesh.full_domain=true"})), "");
 }
 
+TEST_F(CaseTest, TellsStagesOfConstruction) {
+  const std::string stages =
+      "[construction]\nlast = { order = 3, caisson_share = 1, water_level = 12.5 }\n"
+      "first = { order = 1, regions = [\"rubble\", \"block\"] }\n";
+  const Scene scene =
+      read(good_case + stages, {"construction.caisson={order=2, regions=[\"caisson\"], caisson_share=0.3}"}).scene;
+  EXPECT_EQ(stages_in_order(scene), (std::vector<std::string>{"first", "caisson", "last"}));
+  const ConstructionStage &first = scene.construction.at("first"), &last = scene.construction.at("last");
+  EXPECT_EQ(first.regions, (std::vector<std::string>{"rubble", "block"}));
+  EXPECT_FALSE(first.caisson_share || first.water_level);
+  EXPECT_EQ(scene.construction.at("caisson").caisson_share, 0.3);
+  EXPECT_TRUE(last.regions.empty());
+  EXPECT_EQ(last.water_level, 12.5);
+  EXPECT_TRUE(read(good_case).scene.construction.empty());
+}
+
 TEST_F(CaseTest, NamesAWrongOverride) {
   write("case.toml", good_case);
   EXPECT_EQ(

@@ -269,7 +269,7 @@ class Expected(ProgramTest):
         self.assertRegex(told, r"heel +mean \d+\.?\d* kPa")
         self.assertIn("above 300 kPa: 100 % of the lives", told)
         checks = {check["name"]: check for check in found["checks"]}
-        for name in ("heel pressure p_e, highest wave", "heel pressure p_e, of a life"):
+        for name in ("heel pressure p_e, highest wave", "heel pressure p_e, of the median life"):
             self.assertEqual((checks[name]["holds"], checks[name]["by"]), (False, "formulas"))
             self.assertIn(checks[name]["text"], told)
         self.assertFalse(found["verdict"]["holds"])

@@ -80,6 +80,16 @@ class TwoLevels(Loads):
         # as the load does that stands for them, once it has come to stay
         self.assertAlmostEqual(sliding["peak_sliding_force"] / loaded["peak_sliding_force"], 1, delta=3e-3)
 
+    def test_slip_circles_have_the_push(self):
+        strong = ("regions.seabed.strength={ friction_angle = 35 }", "regions.mound.strength={ friction_angle = 40, cohesion = 20e3 }")
+        found = self.run_with(*self.GIVEN, *strong)["circles"]
+        self.assertAlmostEqual(found["at_rest"]["shear"], RHO_G * (100 - 49) / 2, delta=1)
+        level = self.run_with("initial.water_level=14", "initial.harbour_level=14", "loads.levels.factor=0", *strong)["circles"]
+        self.assertEqual(level["at_rest"]["shear"], 0)
+        self.assertLess(found["at_rest"]["factor"], level["at_rest"]["factor"])
+        for way in ("still", "static_design"):  # F_T as it was, and the push
+            self.assertGreater(found[way]["shear"], level[way]["shear"])
+
     def test_without_the_key_the_verdict_is_void_and_the_warning_names_it(self):
         found = self.run_with("loads.levels.factor=0")
         self.assertFalse(found["harbour"]["counted"])

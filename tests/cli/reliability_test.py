@@ -82,6 +82,40 @@ cov = 0.17
             self.assertIn(line, done.stderr)
         self.assertFalse((self.folder / "bad").exists())
 
+    def test_two_trees_beside_each_other_are_refused(self):
+        text = DESIGN.read_text()
+        two = self.folder / "two.toml"
+        two.write_text(text + '[reliability.system.another]\nany = ["sliding"]\n')
+        done = upbead("reliability", two, *QUICK, "--out", "two", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("[reliability.system.unusable]: gates another, unusable are each part of no other", done.stderr)
+        self.assertFalse((self.folder / "two").exists())
+
+    def test_a_system_names_what_it_leaves_out(self):
+        text = DESIGN.read_text()
+        bare = self.folder / "bare.toml"
+        (self.folder / "storms.csv").write_text((DESIGN.parent / "storms.csv").read_text())
+        bare.write_text(text[: text.index("[reliability.system.unusable]")].replace("base_pressure = 600e3\n", "") + "[levels]\nhigh = 1.0\n")
+        found, done = self.summary(*QUICK, "--set", 'reliability.methods=["form"]', design=bare)
+        self.assertIsNone(found["modes"]["heel_pressure"]["occasion"]["probability"])
+        out = "without heel_pressure, sliding_seaward"
+        for told in (found["modes"]["system"]["meaning"], found["checks"][0]["assumption"],
+                     *(row["what"] for row in found["codes"] if row["code"] in ("PIANC WG 28", "Eurocode"))):
+            self.assertIn(out, told)
+        names = [warning["name"] for warning in found["warnings"]]
+        self.assertIn("system_incomplete", names)
+        self.assertIn("levels_not_used", names)
+
+    def test_a_system_fails_as_often_as_each_of_its_parts(self):
+        text = DESIGN.read_text()
+        bare = self.folder / "bare.toml"
+        (self.folder / "storms.csv").write_text((DESIGN.parent / "storms.csv").read_text())
+        bare.write_text(text[: text.index("[reliability.system.unusable]")])
+        modes = self.summary("--set", 'reliability.methods=["form"]', design=bare)[0]["modes"]
+        parts = [mode["occasion"]["probability"] for name, mode in modes.items() if name in ("sliding", "overturning", "sliding_distance", "heel_pressure")]
+        self.assertGreaterEqual(modes["system"]["occasion"]["probability"], max(parts))
+        self.assertLessEqual(modes["system"]["occasion"]["probability"], sum(parts))
+
     def test_only_its_program_loads_the_library(self):
         for name, loads in (("upbead", False), ("upbead-solver", False), ("upbead-reliability", True)):
             libraries = subprocess.run(["ldd", PROGRAM.with_name(name)], capture_output=True, text=True, check=True).stdout

@@ -97,6 +97,103 @@ class Sheet(ProgramTest):
         self.assertEqual({key: one[key] for key in two if key != "warnings"},
                          {key: two[key] for key in two if key != "warnings"})
 
+    def test_a_case_passes_over_every_table_of_a_design(self):
+        shutil.copytree(CASES / "designer", self.folder / "own")
+        case = self.folder / "own/section.toml"
+        given = case.read_text()
+        for command in ("waves", "reliability"):
+            keys = json.loads(upbead(command, "--schema").stdout)["properties"]
+            own = [name for name, key in keys.items() if key.get("type") == "object" and f"[{name}" not in given]
+            self.assertIn("scatter", own)
+            case.write_text(given + "".join(f"\n[{name}]\n" for name in own))
+            done = upbead("explain", case, *BONDED, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_where_the_scene_cannot_be_reduced_the_life_is_by_formulas(self):
+        march = ["--set", 'time.scheme="generalised_alpha"', "--set", "time.step=0.05", "--set", "accuracy.tolerance=1e-12"]
+        sheet, done = self.summary("sheet", *BONDED, *march)
+        warning = next(one for one in sheet["warnings"] if one["name"] == "no_own_dynamics")
+        self.assertIn("has not converged", warning["text"])
+        self.assertIsNone(sheet["expected"]["expected"].get("dynamic"))
+        self.assertIsNotNone(sheet["run"]["response"]["peak_shear"])
+        self.assertEqual({row["part"] for row in sheet["checks"]}, {"waves", "run", "expected"})
+        self.assertFalse((self.folder / "sheet/reduced.h5").exists())
+        self.assertNotIn("reduced.h5", done.stdout)
+
+    def composite(self, *more):
+        """A case of one wave by formulas on a small mesh, which is a design, too."""
+        text = (CASES / "design-wave/composite.toml").read_text()
+        text = text.replace("seabed_front = 400", "seabed_front = 100").replace("seabed_back = 400", "seabed_back = 100")
+        case = self.folder / "one.toml"
+        case.write_text(text + "\n[waves.storm]\nheight = 11.0\nperiod = 12.0\n" + "\n".join(more) + "\n")
+        return case
+
+    def test_limits_that_no_check_judges_stand_on_the_sheet(self):
+        limits = {"circles": 1.1, "settlement": 0.1, "tilt": 0.01, "safety": 1.2, "lives_beyond": 0.1, "dynamic_base_pressure": 5e5}
+        asked = [word for key, value in limits.items() for word in ("--set", f"limits.{key}={value}")]
+        done = upbead("sheet", CASES / "designer/design.toml", *asked, "--out", "design", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.check_unjudged(limits, "design", done.stdout)
+        case = self.composite()
+        done = upbead("sheet", case, "--set", "limits.settlement=0.1", "--set", "limits.tilt=0.01", "--out", "case", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.check_unjudged(("settlement", "tilt"), "case", done.stdout)
+
+    def check_unjudged(self, limits, folder, screen):
+        sheet = json.loads((self.folder / folder / "summary.json").read_text())
+        rows = {row["measure"]: row for row in sheet["checks"]}
+        for key in limits:
+            row = rows[f"limits.{key}"]
+            self.assertIsNone(row["holds"])
+            self.assertTrue(row["why_not"], key)
+            self.assertIn(row["name"] + ": not checked", screen)
+        self.assertEqual(sheet["verdict"]["unjudged"], len(limits))
+        self.assertIn("limits that were not checked", sheet["verdict"]["text"])
+
+    def test_probabilities_that_are_asked_for_elsewhere_are_named(self):
+        done = upbead("sheet", CASES / "designer/reliability.toml", "--out", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("reliability: [reliability] is asked for", done.stdout)
+
+    def test_run_and_waves_have_one_sliding_distance_by_formulas(self):
+        case = self.composite("[duration]", "b = 1.0", "[combined]", "added_mass_factor = 0.5")
+        for more in ([], ["--set", "loads.storm.wave.course='triangle'"]):
+            done = upbead("sheet", case, "--set", "section.friction=0.45", *more, "--out", "out", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            rows = json.loads((self.folder / "out/summary.json").read_text())["checks"]
+            found = {row["part"]: row["demand"] for row in rows if row["name"] == "sliding distance by formulas"}
+            self.assertEqual(set(found), {"run", "waves"})
+            self.assertGreater(found["run"], 0.01)
+            self.assertAlmostEqual(found["run"] / found["waves"], 1, 12)
+
+    def test_a_model_of_other_ground_is_told(self):
+        life = ["[sea]", f'states = "{CASES}/designer/storms.csv"', "years = 50"]
+        case = self.composite(*life)
+        self.assertEqual(upbead("reduce", case, "--out", "own", cwd=self.folder).returncode, 0)
+        for options, told in (([], False), (["--set", "regions.seabed.shear_modulus=3e6"], True)):
+            done = upbead("sheet", case, *options, "--set", f"dynamics.model='{self.folder}/own/reduced.h5'", "--out", "out",
+                          cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            sheet = json.loads((self.folder / "out/summary.json").read_text())
+            found = [one for one in sheet["warnings"] if one["name"] == "model_of_other_scene"]
+            self.assertEqual(len(found), told)
+            if told:
+                self.assertIn("regions.seabed", found[0]["text"])
+
+    def test_run_and_waves_of_one_file_keep_their_results(self):
+        case = self.composite()
+        for command in ("run", "waves"):
+            self.assertEqual(upbead(command, case, cwd=self.folder).returncode, 0)
+        run = json.loads((self.folder / "results/one/summary.json").read_text())
+        waves = json.loads((self.folder / "results/one-waves/summary.json").read_text())
+        self.assertIn("response", run)
+        self.assertIn("storm", waves["waves"])
+
+    def test_scaling_tells_what_it_leaves_out(self):
+        done = upbead("scale", self.composite(), "--factor", "0.05", "--out", "scaled", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("lacks [waves]", done.stderr)
+
     def test_mistakes_of_all_tables_are_told_at_once(self):
         shutil.copytree(CASES / "designer", self.folder / "own")
         case = self.folder / "own/section.toml"

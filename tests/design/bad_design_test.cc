@@ -158,6 +158,15 @@ const std::vector<BadDesign> rows{
     {"LambdaOutOfRange", "lambda_1 = 1.0", "lambda_1 = -0.5",
      "design.toml:20:1: lambda_1 = -0.5 is outside [0, 2]; give the factor lambda_1 of the pressure by alpha_1, and of "
      "eta*"},
+    {"HarbourWhosePushNothingHolds", "friction = 0.6\nblocks = false\nlambda_1 = 1.0",
+     "friction = 0.05\nblocks = false\nlambda_1 = 1.0\nharbour_level = -10.4",
+     "design.toml:21:1: [section]: harbour_level = -10.4 m: still water pushes the caisson with 556.4 kN/m, and mu (W' "
+     "+ dW') = 181.5 kN/m is no more: it slides without a wave; give the harbour a level nearer to the sea's, or check "
+     "friction, submerged_weight and width"},
+    {"WavesWithoutPressure", "lambda_1 = 1.0", "lambda_1 = 0\nlambda_2 = 0",
+     "design.toml:20:1: [section]: lambda_1 = 0 leaves the wave 'design' no force on the wall, P = 0, and its factors "
+     "of "
+     "safety have no value; give lambda_1 above 0, or lambda_2 above 0 where alpha* is"},
     {"ExponentOfNone", "a = 0.3", "a = 0",
      "design.toml:23:1: a = 0 is outside [0.001, 10]; give the exponent a of k = 1 / (alpha*^a + 1)^b, eq. (9)"},
     {"HeightOfNone", "height = 12.0\n", "height = 0\n",

@@ -89,6 +89,21 @@ TEST(FormulaLaw, FactorsScaleForceUpliftFrictionAndWeight) {
   EXPECT_NEAR(f.weight - f.submerged_weight, s.weight - s.submerged_weight, 1e-6) << "buoyancy stays";
 }
 
+/// W' t = W t_W - (W - W') B/2: the line t_W of the weight and the buoyancy stay when the weight grows.
+TEST(FormulaLaw, MoreWeightActsInTheLineOfTheWeight) {
+  Section s = medium_caisson().section;
+  const double buoyancy = s.weight - s.submerged_weight, t_W = 0.42 * s.width;
+  const auto line = [&](double weight) { return (weight * t_W - buoyancy * 0.5 * s.width) / (weight - buoyancy); };
+  s.centroid = line(s.weight);
+  WaveFactors factors;
+  for (const double weight : {1.1, 0.9, 1.}) {
+    factors.weight = weight;
+    EXPECT_NEAR(*with_factors(s, factors).centroid, line(weight * s.weight), 1e-9) << weight;
+  }
+  s.centroid.reset();
+  EXPECT_FALSE(with_factors(s, factors).centroid);
+}
+
 TEST(FormulaLaw, TheWaterLevelChangesDepthsAndBuoyancy) {
   SeaState high = storm(6.);
   high.water_level = 1.;

@@ -61,7 +61,7 @@ TEST(WaveBase, IsGodasHeelPressureAndSafetyFactor) {
       EXPECT_NEAR(base.overturning_margin, goda.safety_overturning, 1e-12 * goda.safety_overturning) << H;
       const double M_U = p.uplift_moment - 0.5 * p.uplift * s.width;
       const WorstBase same = worst_of(base_extremes(
-          {s.width, W, W * e_0, {p.uplift}, {M_U}, {W - p.uplift}, {W * e_0 + M_U + p.force_moment}}, {0.}));
+          {s.width, W, W * e_0, 0., 0., {p.uplift}, {M_U}, {W - p.uplift}, {W * e_0 + M_U + p.force_moment}}, {0.}));
       EXPECT_NEAR(base.heel_pressure, same.heel_pressure, 1e-12 * same.heel_pressure) << H;
       EXPECT_NEAR(base.toe_pressure, same.toe_pressure, 1e-12 * same.toe_pressure) << H;
       EXPECT_NEAR(base.eccentricity, same.eccentricity, 1e-12) << H;

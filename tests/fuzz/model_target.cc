@@ -12,6 +12,7 @@ ReducedModelFile slipping_model() {
   ReducedModelFile model = test::oscillator();
   model.sliding = ModelSliding{0.6, 4e6, 0., "in_phase", 0.2, 0.01};
   model.slip = test::slipping_oscillator();
+  model.circles = test::circles_under_an_oscillator();
   return model;
 }
 
@@ -51,6 +52,10 @@ void read(const std::string& image) {
     check(model.modes);
     require(model.loads.size() == model.modes.load_name.size(), "every load of a model is known");
     if (model.slip) check(model.slip->system);
+    if (!model.circles) return;
+    check(model.circles->pressures);
+    require(model.circles->family.n_readings() == static_cast<std::size_t>(model.circles->pressures.n_readings()),
+            "every slice of a circle has its reading");
   });
 }
 

@@ -112,7 +112,14 @@ Summary full_summary() {
   s.checks = {{}};
   s.checks.back().balance.emplace();
   s.circles.emplace().block.emplace();
+  CyclesSummary& cycles = s.cycles.emplace();
+  cycles.regions = {{}};
+  cycles.by_compaction.emplace();
+  cycles.by_drainage.emplace();
   s.circles->at_rest = s.circles->still = s.circles->computed = s.circles->governs = SlipCircleFound();
+  s.circles->static_design = SlipCircleFound();
+  s.peak_safety.emplace();
+  s.liquefaction.emplace().places = {{}};
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();
   s.soil.emplace();
@@ -122,6 +129,10 @@ Summary full_summary() {
   s.nonlinear->regions = {{}};
   s.densification = {{}};
   s.safety.emplace();
+  s.construction.emplace().caisson.emplace();
+  s.construction->stages = {{}};
+  s.construction->stages.front().caisson.emplace();
+  s.construction->stages.front().settlement = s.construction->stages.front().mobilised = 0.;
   s.residual.emplace().pore_pressure.emplace();
   s.strength = {{}};
   s.warnings = {{}};

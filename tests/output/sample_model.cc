@@ -83,4 +83,26 @@ ModelSlip slipping_oscillator() {
   return slip;
 }
 
+CircleModel circles_under_an_oscillator() {
+  CircleModel model;
+  model.family.left = -6.;
+  model.family.right = 6.;
+  for (const bool landward : {true, false}) {
+    FamilyCircle c{0., 8., std::hypot(9., 8.), -9., 9., landward, landward ? 1e3 : -2e3, {}};
+    for (const double x : {-6., 0., 6.})
+      c.slices.push_back({x, 6., -x / c.radius, std::sqrt(1. - x * x / (c.radius * c.radius)), 1e4, 0.7, 3e4});
+    model.family.circles.push_back(c);
+  }
+  model.pressures = oscillator().modes;
+  const auto n = static_cast<Eigen::Index>(model.family.n_readings());
+  model.pressures.reading.resize(n, 2);
+  for (Eigen::Index i = 0; i < n; ++i)
+    model.pressures.reading.row(i) << std::complex<double>(0.1 * static_cast<double>(i), 1.), 2e3;
+  model.pressures.feedthrough = Eigen::MatrixXd::Constant(n, 2, 0.01);
+  model.pressures.impulse = Eigen::MatrixXd::Zero(n, 2);
+  model.pressures.reading_label.assign(static_cast<std::size_t>(n), {});
+  model.gap = 0.013;
+  return model;
+}
+
 }  // namespace upbead::test

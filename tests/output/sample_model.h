@@ -21,6 +21,9 @@ NestedModels nested_oscillators(double middle, double reference);
 /// The same caisson, which slips on a ground of 50 t/m with the same spring and dashpot.
 ModelSlip slipping_oscillator();
 
+/// Two slip circles, of three slices each, with readings of random size in the modes of oscillator().
+CircleModel circles_under_an_oscillator();
+
 /// A file that the destructor removes.
 class TemporaryFile {
  public:

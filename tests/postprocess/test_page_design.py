@@ -71,6 +71,7 @@ class Formulas(unittest.TestCase):
         cls.folder = Path(cls.temporary.name)
         file = cls.folder / "design.toml"
         text = (made.CASES / "designer/design.toml").read_text().split("[sea]")[0]
+        text = text.replace("\nwidth = 20.0", "\ncentroid = 9.4\nwidth = 20.0", 1)  # so that a level and a width move it
         file.write_text(text + "[limits]\nbase_pressure = 500e3\noverturning = 1.2\n")
         cls.browser = Browser(pdf.browser(), pdf.options)
         cls.browser.open(upbead.page(file, cls.folder / "page.html", program=made.PROGRAM), 1200)
@@ -121,6 +122,12 @@ class Formulas(unittest.TestCase):
         # warnings of the standing wave where it governs
         self.assertLessEqual(set(answer["warnings"]) - set(told), {"base_pressure", "overturning_limit"})
         warned.update(told)
+
+    def test_sea_and_harbour_at_two_levels_are_refused(self):
+        file = self.folder / "harbour.toml"
+        file.write_text((self.folder / "design.toml").read_text().replace("\nwidth = ", "\nharbour_level = -1.0\nwidth = ", 1))
+        with self.assertRaisesRegex(upbead.UserError, "two levels"):
+            upbead.page(file, self.folder / "harbour.html", program=made.PROGRAM)
 
     def test_what_the_program_refuses_is_not_answered(self):
         self.browser.open(self.folder / "page.html", 1200)

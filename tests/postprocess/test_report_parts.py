@@ -17,7 +17,7 @@ SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] 
 sys.path.insert(0, str(SCRIPTS))
 
 from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
-from report import yielding, zones  # noqa: E402
+from report import construction, yielding, zones  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
 ONE_CELL = """$MeshFormat
@@ -352,6 +352,32 @@ class Yielding(unittest.TestCase):
     def test_what_lost_nothing_is_not_drawn(self):
         still = zones.Zones(1.0, np.zeros((1, 4, 2)), np.array([0.2]), np.array([0.0]))
         self.assertEqual(zones.of_dissipated(still), "")
+
+
+class Construction(unittest.TestCase):
+    GROUND = {"name": "ground", "regions": "seabed, subsoil", "weight": 2e7, "settlement": None, "caisson": None,
+              "heel_pressure": None, "toe_pressure": None, "mobilised": None, "mobilised_in": None}
+    FILL = {"name": "fill", "regions": "", "weight": 3e7, "settlement": 0.0123,
+            "caisson": {"settlement": 0.0119, "displacement_x": 0.001, "rotation": -2e-4}, "heel_pressure": 2.5e5,
+            "toe_pressure": None, "mobilised": 0.75, "mobilised_in": "mound"}
+
+    def test_a_section_that_is_not_built_in_stages_has_no_part(self):
+        self.assertEqual(construction.section({"construction": None}), "")
+
+    def test_every_stage_has_a_row(self):
+        page = construction.section({"construction": {"stages": [self.GROUND, self.FILL], "falls_in": None,
+                                                      "caisson": self.FILL["caisson"]}})
+        self.assertEqual(page.count("<tr>"), 3)
+        for value in ("0.0123", "0.0119", "-0.0002", "250000.0", "0.75"):
+            self.assertIn(f'value="{value}"', page)
+        self.assertIn("mound", page)
+        self.assertIn("Since it was set down", page)
+        self.assertNotIn("no state at rest", page)
+
+    def test_a_stage_that_falls_is_told(self):
+        page = construction.section({"construction": {"stages": [self.GROUND], "falls_in": "mound", "caisson": None}})
+        self.assertIn("The stage mound has no state at rest.", page)
+        self.assertNotIn("Since it was set down", page)
 
 
 if __name__ == "__main__":

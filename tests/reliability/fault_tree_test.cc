@@ -45,6 +45,9 @@ TEST(FaultTree, TellsMistakesWithTheirGate) {
   EXPECT_EQ(only({{"top", any({"a", "d"})}}), "top: there is no limit state or gate 'd'");
   EXPECT_EQ(only({{"top", SystemNode()}}), "top: neither 'any' nor 'all' is given");
   EXPECT_EQ(only({{"a", any({"b"})}}), "a: a limit state has that name");
+  EXPECT_EQ(only({{"one", any({"a"})}, {"two", all({"b", "c"})}}),
+            "two: gates one, two are each part of no other, and which stands for the whole is not said");
+  EXPECT_EQ(only({{"one", any({"a"})}, {"two", all({"b", "c"})}, {"whole", any({"one", "two"})}}), "");
   EXPECT_EQ(only({{"x", any({"y"})}, {"y", all({"x", "a"})}}), "x: the gate 'x' is part of itself");
 }
 

@@ -86,6 +86,75 @@ TEST(LimitStates, PassZeroWhereTheFormulasPassTheirLimits) {
   }
 }
 
+/// With the harbour above or below the sea, by stability(), which the checks of `waves` are made of.
+TEST(LimitStates, PassZeroWhereTheFormulasDoWithSeaAndHarbourAtTwoLevels) {
+  for (const double harbour : {-6.5, -3., -0.5, 2.}) {
+    DesignTables tables = section_with({{"a", variable("force", 1., 0.1)}, {"l", variable("water_level", 0., 0.1)}});
+    tables.section.harbour_level = harbour;
+    tables.section.centroid = 9.2;
+    SectionModel model(tables);
+    for (double force = 0.1; force < 6.; force += 0.02) {
+      const std::vector<double> x{force, 0.3};
+      const SectionPoint at = model.at(x);
+      const Section level = at_water_level(tables.section, tables.water, 0.3);
+      const Stability s = stability(at.section, at.pressure, still_water(level, tables.water));
+      EXPECT_EQ(margin(model, "sliding", x) < 0., s.safety_sliding < 1.) << harbour << " " << force;
+      EXPECT_EQ(margin(model, "overturning", x) < 0., s.safety_overturning < 1.) << harbour << " " << force;
+      EXPECT_EQ(margin(model, "heel_pressure", x) < 0., !s.heel_pressure || *s.heel_pressure > 600e3)
+          << harbour << " " << force;
+    }
+  }
+}
+
+/// rel.toml of a stranger: a lower harbour raises P(heel) from 0.085 to 0.266 and 0.547, by plain samples of his own.
+TEST(LimitStates, ALowerHarbourRaisesTheHeelPressure) {
+  DesignTables tables =
+      section_with({{"a", variable("force", 1., 0.2)}, {"b", variable("section.friction", 0.6, 0.06)}});
+  tables.section.width = 14.;
+  tables.section.weight = 4.9028e6;
+  tables.section.submerged_weight = 3.912e6;
+  const auto probability = [&](const std::string& name, double harbour) {
+    tables.section.harbour_level = harbour;
+    SectionModel model(tables);
+    const auto states = section_limit_states(model.at(model.certain()), {});
+    const auto found = find_design_point(
+        [&](const std::vector<double>& u) {
+          return state_of(states, name).margin(model.at({1. + 0.2 * u[0], 0.6 + 0.06 * u[1]}));
+        },
+        2);
+    return *by_form(found).probability;
+  };
+  EXPECT_NEAR(probability("heel_pressure", 0.), 0.0846, 0.0005);
+  EXPECT_NEAR(probability("heel_pressure", -3.), 0.266, 0.002);
+  EXPECT_NEAR(probability("heel_pressure", -6.9), 0.547, 0.003);
+  EXPECT_GT(probability("sliding", -3.), 1.5 * probability("sliding", 0.));
+}
+
+/// mu (W' + dW') - P - push = 0, where standing_answer() has a factor of 1.
+TEST(Seaward, HasThePushOfAHigherHarbourOnce) {
+  for (const double harbour : {0., 1.5, -2.}) {
+    DesignTables tables = section_with({{"a", variable("force", 1., 0.1)}});
+    tables.waves["design"].height = 4.;
+    tables.section.harbour_level = harbour;
+    SectionModel model(tables);
+    const auto state = state_of(section_limit_states(model.at({1.}), seaward_force(tables)), "sliding_seaward");
+    ASSERT_TRUE(state.margin);
+    for (const double force : {0.5, 1., 2.}) {
+      const Stability s = standing_answer(tables.section, tables.water, {4., 4. / 1.8, 12., 0.}, force).answer->seaward;
+      const double scale = tables.section.friction * tables.section.submerged_weight;
+      EXPECT_NEAR(state.margin(model.at({force})), (s.safety_sliding - 1.) * s.force / scale, 2e-3) << harbour;
+    }
+  }
+}
+
+TEST(Variables, OnLevelsAndAnglesMayBeNegative) {
+  RandomVariables random{
+      {"harbour", "crest"}, {variable("section.harbour_level", -3., 1.), variable("section.crest", 3., 1.)}, {}};
+  const NumberedWarnings warnings = not_positive(random);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0].what, testing::HasSubstr("section.crest is positive"));
+}
+
 /// FORM needs a slope where S = 0, and none of the margins may jump.
 TEST(LimitStates, HaveMarginsThatFallSmoothlyWithTheForce) {
   SectionModel model(section_with({{"a", variable("force", 1., 0.1)}}));

@@ -66,6 +66,83 @@ TEST(System, OfMoreStatesThanVariablesHasAForm) {
   EXPECT_NEAR(*by_system_form(events, {{0}, {1}, {2}, {3}, {4}}).index, exact, 1e-3);
 }
 
+DesignPointSearch state_at(double angle, double index) {
+  DesignPoint point;
+  point.alpha = {std::cos(angle), std::sin(angle)};
+  point.u = {index * point.alpha[0], index * point.alpha[1]};
+  point.index = index;
+  return {point, ""};
+}
+
+/// Of two variables, by the distance of the nearest plane in every direction: 1 - (1/2 pi) int (1 - exp(-r^2/2)).
+double by_directions(const std::vector<DesignPointSearch>& events) {
+  double sum = 0.;
+  constexpr int n = 200000;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2. * std::acos(-1.) * (i + 0.5) / n;
+    double r = 1e9;
+    for (const DesignPointSearch& event : events) {
+      const double along = std::cos(angle) * event.point->alpha[0] + std::sin(angle) * event.point->alpha[1];
+      if (along > 0.) r = std::min(r, event.point->index / along);
+    }
+    sum += std::exp(-0.5 * r * r) / n;
+  }
+  return sum;
+}
+
+/// Nearly equal states, for which Phi_n of a nearly singular R was off by more than all that they add.
+TEST(System, OfNearlyEqualStatesIsThatOfItsPlanes) {
+  for (const double turn : {0., 1e-9, 1e-4, 0.01, 0.3, 2.})
+    for (const double index : {0.1, 0.86, 2., 4.}) {
+      std::vector<DesignPointSearch> events;
+      CutSets sets;
+      for (std::size_t i = 0; i < 6; ++i) {
+        events.push_back(state_at(turn * static_cast<double>(i), index + 0.01 * static_cast<double>(i % 3)));
+        sets.push_back({i});
+      }
+      const double exact = by_directions(events), p = *by_system_form(events, sets).probability;
+      EXPECT_NEAR(p / exact, 1., 1e-3) << turn << " " << index;
+      EXPECT_GE(p, phi(index)) << "no less than one of its parts";
+    }
+}
+
+/// Independent states of up to seven variables, where one may have failed already at the origin.
+TEST(System, InSeriesOfManyVariablesIsTheProduct) {
+  for (const std::size_t size : {3U, 7U})
+    for (const double least : {-0.5, 1., 3.}) {
+      std::vector<DesignPointSearch> events;
+      CutSets sets;
+      double holds = 1.;
+      for (std::size_t i = 0; i < size; ++i) {
+        DesignPoint point;
+        point.alpha.assign(size, 0.);
+        point.alpha[i] = 1.;
+        point.index = least + 0.1 * static_cast<double>(i);
+        point.u = point.alpha;
+        for (double& x : point.u) x *= point.index;
+        holds *= 1. - phi(point.index);
+        events.push_back({point, ""});
+        sets.push_back({i});
+      }
+      EXPECT_NEAR(*by_system_form(events, sets).probability / (1. - holds), 1., 1e-3) << size << " " << least;
+    }
+}
+
+/// A union of sets: between the most probable one and the sum, whatever Phi_n says of nearly equal states.
+TEST(System, OfSetsOfNearlyEqualStatesIsWithinItsBounds) {
+  for (const double turn : {0., 1e-6, 1e-3, 0.1}) {
+    std::vector<DesignPointSearch> events;
+    for (std::size_t i = 0; i < 5; ++i) events.push_back(state_at(turn * static_cast<double>(i), 0.86));
+    const MethodAnswer found = by_system_form(events, {{0}, {1, 2}, {2, 3}, {3, 4}});
+    ASSERT_TRUE(found.probability);
+    EXPECT_GE(*found.probability, phi(0.86)) << turn;
+    EXPECT_LE(*found.probability, 4. * phi(0.86)) << turn;
+    if (turn <= 1e-3) {
+      EXPECT_NEAR(*found.probability / phi(0.86), 1., 5e-3) << turn;
+    }
+  }
+}
+
 TEST(System, WithoutADesignPointOfOneStateHasNoForm) {
   std::vector<DesignPointSearch> events = independent();
   events[1] = {{}, "none"};

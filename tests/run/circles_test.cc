@@ -1,7 +1,8 @@
 // Claims: the section of a mesh has its surface, soils and weights; in a run circles are found at rest and in motion,
 // by the pressure of still water and by that computed; what governs is the least of them, agrees with the circle
-// evaluated by itself, and falls with the load; a limit makes a check, a factor below 1 a warning; without a strength
-// it is told why there are none.
+// evaluated by itself, and falls with the load; its factor over time has its least value at its moment, and its slices
+// make its factor again; under loads that act slowly motion changes nothing; a limit makes a check, a factor below 1 a
+// warning; without a strength it is told why there are none. A surcharge counts where it lies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,6 +103,64 @@ TEST(Circles, AgreeWithTheCircleByItself) {
                       c.slips == "landward" ? SlipsTo::right : SlipsTo::left, c.from, c.to, 4000);
     EXPECT_NEAR(found.factor, c.factor, 3e-3 * c.factor);
   }
+}
+
+TEST(Circles, AreFollowedOverTime) {
+  const SlipCircles& c = *summary_of(1e5).circles;
+  const auto& [time, factor] = c.course;
+  ASSERT_EQ(time.size(), factor.size());
+  ASSERT_GT(time.size(), 10u);
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < factor.size(); ++i)
+    if (factor[i] < factor[least] || std::isnan(factor[least])) least = i;
+  EXPECT_NEAR(factor[least], c.governs->factor, 2e-2 * c.governs->factor);
+  const auto at = static_cast<std::size_t>(std::find(time.begin(), time.end(), *c.governs->time) - time.begin());
+  ASSERT_LT(at, time.size());
+  EXPECT_NEAR(factor[at], c.governs->factor, 1e-9);  // no other one is less safe then
+  EXPECT_NEAR(factor.front(), c.at_rest->factor, 1e-3 * c.at_rest->factor);
+  for (std::size_t i = 1; i < factor.size(); ++i)
+    EXPECT_LT(std::abs(factor[i] - factor[i - 1]), 0.05 * factor[i]) << "no jump at " << time[i] << " s";
+}
+
+/// Bishop's sum over the slices that are told, with the strengths of the regions at their bases.
+TEST(Circles, HaveTheSlicesOfTheirFactor) {
+  const SlipCircles& c = *summary_of(1e5).circles;
+  const GroundSection section = ground_section(simulation_of(strong_scene(1e5)));
+  const SlipCircleSlices& s = c.slices;
+  double sum = 0.;
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    const GroundSoil* soil = section.soil_at(*section.column(s.x[i]), s.base[i]);
+    ASSERT_TRUE(soil);
+    const double side = c.governs->slips == "landward" ? 1. : -1.;
+    const double sine = side * (c.governs->centre[0] - s.x[i]) / c.governs->radius,
+                 cosine = std::sqrt(1. - sine * sine);
+    sum += (soil->cohesion + (s.weight[i] - s.pressure[i]) * soil->friction) * s.width[i] /
+           (cosine + sine * soil->friction / c.governs->factor);
+  }
+  EXPECT_NEAR(sum / c.governs->driving, c.governs->factor, 0.01 * c.governs->factor);
+}
+
+TEST(Circles, OfASlowLoadAreThoseWithoutMotion) {
+  Scene scene = strong_scene(1e5);
+  scene.loads["impulse"].history = triangle(1e5, 20.);
+  scene.time.end = 20.;
+  const SlipCircles c = *simulation_of(scene).run().summary.circles;
+  ASSERT_TRUE(c.static_design && c.still && c.dynamic_load_factor);
+  EXPECT_NEAR(c.static_design->factor, c.still->factor, 0.01 * c.still->factor);
+  EXPECT_NEAR(*c.dynamic_load_factor, 1., 0.02);
+  const SlipCircles& fast = *summary_of(1e6).circles;
+  EXPECT_GT(std::abs(*fast.dynamic_load_factor - 1.), 0.05);
+}
+
+TEST(Circles, BearASurchargeWhereItLies) {
+  Scene scene = strong_scene(1e5);
+  const auto factor = [&](double from, double to) {
+    scene.initial->surcharge["armour"] = {"mound_surface", 30e3, from, to};
+    return simulation_of(scene).run().summary.circles->at_rest->factor;
+  };
+  const double none = summary_of(1e5).circles->at_rest->factor;
+  EXPECT_GT(factor(-40., 40.), 1.01 * none) << "where the ground is pushed up on both sides";
+  EXPECT_NEAR(factor(9., 40.), none, 1e-3 * none) << "it still slips to the other";
 }
 
 TEST(Circles, AreLessSafeUnderALargerLoadAndAsSafeAtRest) {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "rupture/slip_block.h"
 #include "slopes.h"
@@ -57,6 +59,91 @@ TEST(SlipBlock, FindsAWeakLayerThatCirclesMiss) {
   EXPECT_LT(block->block.y[1], 0.);
   EXPECT_GT(block->block.y[1], -0.5);
   EXPECT_LT(block->safety.factor, 0.97 * circles.family[0].safety.factor);
+}
+
+/// Rankine's wedges of the mobilised friction, tan phi_m = tan phi'/F: where F is small the wedge ahead is flatter than
+/// 15 degrees, and m_alpha of it is 1/(2 cos(45 - phi_m/2)), never below 0.5.
+TEST(SlipBlock, HasSmallFactorsOnFlatWedges) {
+  const GroundSoil sand = soil_of(18e3, 0., 35.);
+  const GroundSection section = section_of({{sand, {{-90., 4.}, {90., 4.}}}}, -20.);
+  for (const double F : {0.15, 0.2368, 0.5}) {
+    const double phi_m = std::atan(sand.friction / F), height = 4., weight = 5e5;
+    const double active = std::tan(pi / 4. - phi_m / 2.), passive = 1. / active;
+    GroundLoads loads;
+    loads.strip = {0., 10., weight / 10., weight / 10., 0., 4.};
+    loads.strip->horizontal = 0.5 * 18e3 * height * height * (passive * passive - active * active) +
+                              (weight + 18e3 * height * 10.) * sand.friction / F;
+    const SlipBlock rankine{{-height * active, 0., 10., 10. + height * passive}, {4., 0., 0., 4.}};
+    const FigureSafety exact = block_safety(section, loads, rankine, SlipsTo::right, 4000);
+    EXPECT_NEAR(exact.factor / F, 1., 1e-3);
+    EXPECT_NEAR(exact.least_m, 0.5 / std::cos(pi / 4. - phi_m / 2.), 1e-3);
+    const auto found = search_blocks(section, loads, SlipsTo::right, {{-90., -1e-3}, {10., 90.}}, {0., 0.});
+    ASSERT_TRUE(found);
+    EXPECT_LE(found->safety.factor, 1.001 * F);
+    EXPECT_GT(found->safety.factor, 0.7 * F);
+    EXPECT_FALSE(found->is_at_limit) << F;
+  }
+}
+
+/// A caisson on a mound on sand; side = -1: mirrored.
+GroundSection mound(double side) {
+  const auto seen = [side](Polyline line) {
+    if (side > 0.) return line;
+    for (auto& point : line) point[0] = -point[0];
+    std::reverse(line.begin(), line.end());
+    return line;
+  };
+  return section_of(
+      {{soil_of(10e3, 20e3, 38.), seen({{-109., 0.}, {-37., 0.}, {-25., 6.}, {25., 6.}, {38., 0.}, {109., 0.}})},
+       {soil_of(10e3, 0., 35.), seen({{-109., -1e-6}, {109., -1e-6}})}},
+      -15.);
+}
+
+std::optional<FoundBlock> least_of_mound(double side, double horizontal) {
+  GroundLoads loads;
+  loads.strip = StripLoad{side > 0. ? 2. : -9., side > 0. ? 9. : -2., 4e6 / 7., 4e6 / 7., side * horizontal, 6.};
+  const CircleRange range{{-81., loads.strip->from - 1e-3}, {loads.strip->to + 1e-3, 81.}};
+  return search_blocks(mound(side), loads, side > 0. ? SlipsTo::right : SlipsTo::left, range, {-30., 6.});
+}
+
+TEST(SlipBlock, IsLessSafeUnderMoreLoadAndTheSameWhenMirrored) {
+  double before = 1e9;
+  for (const double horizontal : {0.5e6, 1e6, 2e6, 2.6e6, 5e6, 8e6}) {
+    const auto right = least_of_mound(1., horizontal), left = least_of_mound(-1., horizontal);
+    ASSERT_TRUE(right && left);
+    EXPECT_NEAR(left->safety.factor / right->safety.factor, 1., 1e-3) << horizontal;
+    EXPECT_LT(right->safety.factor, 0.95 * before) << horizontal;
+    EXPECT_FALSE(right->is_at_limit);
+    before = right->safety.factor;
+  }
+}
+
+/// Corners moved at random, far and near, about the block that was found.
+TEST(SlipBlock, IsNotLessSafeNearTheOneThatWasFound) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (const double horizontal : {0.5e6, 2.6e6}) {
+    const FoundBlock found = *least_of_mound(1., horizontal);
+    const GroundSection section = mound(1.);
+    GroundLoads loads;
+    loads.strip = StripLoad{2., 9., 4e6 / 7., 4e6 / 7., horizontal, 6.};
+    double least = found.safety.factor;
+    for (const double step : {3., 0.5, 0.1})
+      for (int i = 0; i < 1500; ++i) {
+        SlipBlock block = found.block;
+        for (double& x : block.x) x += step * normal(random);
+        block.y[1] += 0.3 * step * normal(random);
+        block.y[2] = block.y[1];
+        const bool ordered = block.x[0] > -81. && block.x[0] < 2. && block.x[3] > 9. && block.x[3] < 81. &&
+                             std::is_sorted(block.x.begin(), block.x.end());
+        if (!ordered) continue;
+        block.y[0] = *section.surface(block.x[0]);
+        block.y[3] = *section.surface(block.x[3]);
+        if (block.y[1] < std::min(block.y[0], block.y[3]))
+          least = std::min(least, block_safety(section, loads, block, SlipsTo::right, 400).factor);
+      }
+    EXPECT_GT(least, 0.995 * found.safety.factor) << horizontal;
+  }
 }
 
 }  // namespace slip_block_test

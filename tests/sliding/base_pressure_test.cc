@@ -47,6 +47,15 @@ TEST(BaseExtremes, AreTheWorstOfAHistoryWithTheirTimes) {
   EXPECT_EQ(s.least_normal_force_time, 0.2);
 }
 
+TEST(BaseExtremes, CountThePushOfStillWaterAmongWhatOverturns) {
+  EffectiveBase b = pushed_and_pulled();
+  b.push_moment = 0.3e6;
+  b.weight_moment += b.push_moment;
+  for (double& moment : b.moment) moment += b.push_moment;
+  const BaseExtremes s = base_extremes(b, times);
+  EXPECT_NEAR(s.least_overturning_margin.value(), (1.2e6 * 5.5 - 0.2e6 * 6. - 0.4e6) / (1.5e6 + 0.3e6), 1e-12);
+}
+
 TEST(BaseExtremes, HoldGodasOverturningMargin) {
   // about the heel at 0.2 s, where the wave brings 1.5 MN m/m: (W' t - M_U)/M_P, M_U about the heel 0.2 * 6 + 0.4
   const BaseExtremes s = base_extremes(pushed_and_pulled(), times);

@@ -112,6 +112,31 @@ TEST(CombinedSliding, UpliftsInPhaseWithTheForceOrAsASine) {
   }
 }
 
+/// Where the pulse is lower than the standing wave, U still is at most U_max, and goes with P.
+TEST(CombinedSliding, UpliftsNoMoreThanItsLargestWhereTheStandingPartIsTheLarger) {
+  for (const double pulse : {0., 1., 0.3e6, 1.1e6}) {
+    CombinedWave w = wave;
+    w.impulsive.peak = pulse;
+    const History F = combined_force(w), U = combined_uplift(w, {});
+    double largest_force = 0., largest_uplift = 0.;
+    for (std::size_t i = 0; i < F.time.size(); ++i) {
+      largest_force = std::max(largest_force, F.value[i]);
+      largest_uplift = std::max(largest_uplift, U.value[i]);
+    }
+    EXPECT_NEAR(largest_uplift, w.uplift, 1e-9 * w.uplift) << pulse;
+    for (std::size_t i = 0; i < F.time.size(); ++i)
+      EXPECT_NEAR(U.value[i], w.uplift * F.value[i] / largest_force, 1e-4 * w.uplift) << F.time[i];
+    EXPECT_EQ(sliding_distance_combined(6e5, 1.2e6 + 0.6 * 0.4e6, 0.6, w), 0.) << pulse;
+    EXPECT_GT(sliding_distance_combined(6e5, 1.2e6, 0.6, w), 0.) << pulse;
+  }
+}
+
+TEST(CombinedSliding, WithoutAnyForceDoesNotMoveTheCaisson) {
+  CombinedWave w = wave;
+  w.standing_force = w.impulsive.peak = 0.;
+  EXPECT_EQ(sliding_distance_combined(6e5, 1e5, 0.6, w), 0.);
+}
+
 TEST(CombinedSliding, RefusesWhatIsNoWave) {
   const auto refuses = [](auto change) {
     CombinedWave w = wave;
@@ -120,7 +145,7 @@ TEST(CombinedSliding, RefusesWhatIsNoWave) {
   };
   for (const double bad : {0., -1., std::nan("")}) {
     refuses([&](CombinedWave& w) { w.period = bad; });
-    refuses([&](CombinedWave& w) { w.impulsive.peak = bad; });
+    if (bad != 0.) refuses([&](CombinedWave& w) { w.impulsive.peak = bad; });
     refuses([&](CombinedWave& w) { w.impulsive.duration = bad; });
   }
   refuses([](CombinedWave& w) { w.standing_force = -1.; });

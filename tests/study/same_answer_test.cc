@@ -168,7 +168,7 @@ TEST_F(SameAnswer, TheListHasEveryKeyOfSliding) {
   for (const Settings& settings : every_key)
     for (const auto& [key, value] : settings) all += key + " " + value + " ";
   const std::string reference = case_reference();
-  for (std::size_t at = reference.find("## `[sliding"); at < reference.find("## `[limits"); ++at) {
+  for (std::size_t at = reference.find("## `[sliding"); at < reference.find("## `[cycles"); ++at) {
     if (reference.compare(at, 4, "\n| `") != 0) continue;
     const std::string key = reference.substr(at + 4, reference.find('`', at + 4) - at - 4);
     EXPECT_NE(all.find(key), std::string::npos) << key;
@@ -224,6 +224,7 @@ TEST_F(SameAnswer, AtWhateverStageARunEnters) {
   const std::vector<Row> rows{{{}},
                               {{peak("5e6")}, Shared::basis},
                               {{peak("5e6"), {"limits.sliding", "0.01"}, {"title", "\"another\""}}, Shared::solution},
+                              {{peak("5e6"), {"limits.liquefaction", "1.0"}}, Shared::basis},
                               {{peak("5e6"), {"accuracy.tolerance", "1e-4"}}, Shared::basis},
                               {{peak("4e6"), {"accuracy.tolerance", "0.02"}}, Shared::basis},
                               {{{"time.end", "0.25"}}, Shared::basis},

@@ -36,6 +36,24 @@ TEST(Section, FollowsTheWaterLevel) {
   EXPECT_NEAR(back.submerged_weight, s.submerged_weight, 1e-9 * s.weight);
 }
 
+/// The weight keeps its line, and the water's buoyancy acts at B/2: W' t = W t_W - rho g B h' B/2 at every level.
+TEST(Section, BuoyancyOfARiseActsAtTheMiddle) {
+  Section s = goda_section();
+  const double rho_g = 1030. * 9.81, B = s.width, t_W = 6.2;
+  const auto line = [&](double depth) {
+    const double buoyancy = rho_g * B * depth;
+    return (s.weight * t_W - buoyancy * 0.5 * B) / (s.weight - buoyancy);
+  };
+  s.submerged_weight = s.weight - rho_g * B * s.foundation_depth;
+  s.centroid = line(s.foundation_depth);
+  for (const double rise : {3., -2., 0.})
+    EXPECT_NEAR(*at_water_level(s, Water(), rise).centroid, line(s.foundation_depth + rise), 1e-9) << rise;
+  s.centroid.reset();
+  EXPECT_FALSE(at_water_level(s, Water(), 3.).centroid) << "at B/2, at every level";
+  s.centroid = 0.5 * B;
+  EXPECT_NEAR(*at_water_level(s, Water(), 3.).centroid, 0.5 * B, 1e-12);
+}
+
 TEST(Section, DisplacesNoMoreThanItself) {
   const Section s = goda_section();
   EXPECT_DOUBLE_EQ(at_water_level(s, Water(), 10.).submerged_weight, at_water_level(s, Water(), 3.4).submerged_weight);

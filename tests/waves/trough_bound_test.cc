@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sections.h"
+#include "upbead/waves/edge_pressures.h"
 #include "upbead/waves/standing_stability.h"
 #include "upbead/waves/wave_heights.h"
 
@@ -76,6 +77,57 @@ TEST(TroughBound, IsTheIntegralOfSainflousPressuresWithoutTheRise) {
     EXPECT_NEAR(bound.force / force, 1.5, 1e-6);
     EXPECT_NEAR(bound.force_moment / moment, 1.5, 1e-6);
     EXPECT_NEAR(bound.seaward.safety_sliding, s.friction * s.submerged_weight / bound.force, 1e-12);
+  }
+}
+
+/// By the forces on the base: N = W' + p B/2, and about the middle M_P with p B/2 at B/6 towards the toe.
+TEST(Trough, SuctionUnderTheBasePressesTheToe) {
+  Section s = goda_section();
+  s.centroid = 7.1;
+  const double B = s.width;
+  const auto toe = [&](double force_moment, double p) {
+    const double N = s.submerged_weight + 0.5 * p * B;
+    const double M = force_moment + 0.5 * p * B * B / 6. + s.submerged_weight * (7.1 - 0.5 * B);
+    return edge_pressures(N, -M, B).seaward.value();  // overturning landward is positive
+  };
+  const DesignWave stands{3., 1.67, 9., 0.}, breaks{9., 5., 11.4, 0.};
+  const StandingResult standing = standing_answer(s, water, stands, 1.2);
+  ASSERT_TRUE(standing.answer);
+  const WallPressure& trough = standing.answer->worst.seaward;
+  ASSERT_LT(trough.edge_pressure, 0.);
+  EXPECT_NEAR(*standing.answer->seaward.heel_pressure, toe(-1.2 * trough.force_moment, -1.2 * trough.edge_pressure),
+              1e-6);
+  EXPECT_GT(*standing.answer->seaward.heel_pressure, toe(-1.2 * trough.force_moment, 0.));
+  EXPECT_NEAR(standing.answer->seaward.safety_sliding, s.friction * s.submerged_weight / (-1.2 * trough.force), 1e-9)
+      << "no suction helps against sliding";
+  // H > h': the water at the wall is gone down to the bottom
+  const TroughBound bound = trough_bound(s, water, breaks);
+  EXPECT_NEAR(*bound.seaward.heel_pressure, toe(bound.force_moment, rho_g * s.foundation_depth), 1e-6);
+}
+
+/// base.toml of a stranger, who recomputed 358.8 kPa; without suction it was 288.1.
+TEST(Trough, ToePressureOfASectionWorkedOutByHand) {
+  Section s;
+  s.water_depth = 12.;
+  s.foundation_depth = s.berm_depth = 7.;
+  s.crest = 10.;
+  s.width = 20.;
+  s.berm_width = 8.;
+  s.bed_slope = 0.02;
+  s.weight = 7.004e6;
+  s.submerged_weight = 5.589e6;
+  EXPECT_NEAR(*trough_bound(s, water, {8., 8. / 1.8, 12., 0.}).seaward.heel_pressure, 358.8e3, 50.);
+}
+
+/// Where the resultant is outside the middle third, suction near the toe may take it back: what presses more counts.
+TEST(Trough, ToePressureIsNoLessThanWithoutSuction) {
+  for (double t = 3.; t < 12.; t += 0.5) {
+    Section s = goda_section();
+    s.centroid = t;
+    const TroughBound bound = trough_bound(s, water, {9., 5., 11.4, 0.});
+    const double M = bound.force_moment + s.submerged_weight * (t - 0.5 * s.width);
+    const double without = above_all(edge_pressures(s.submerged_weight, -M, s.width).seaward);
+    EXPECT_GE(above_all(bound.seaward.heel_pressure), without * (1. - 1e-12)) << t;
   }
 }
 

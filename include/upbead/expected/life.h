@@ -80,7 +80,8 @@ struct LifeSetup {
   Uncertainties uncertain;
   LawMaker law;  ///< for a sea state as drawn
   std::uint64_t seed = 1;
-  bool every_wave = false;  ///< draw also the waves that cannot slide: much slower, for tests
+  bool every_wave = false;       ///< draw also the waves that cannot slide: much slower, for tests
+  bool worst_of_storms = false;  ///< keep Life::worst_of_storms
 };
 
 /// A wave with everything that was drawn for it.
@@ -88,6 +89,7 @@ struct DrawnWave {
   SeaState sea;
   double height = 0.;  ///< m
   WaveFactors factors;
+  double heel_pressure = 0.;  ///< by Goda's formulas, where it was computed (Pa)
 };
 
 struct Life {
@@ -99,6 +101,8 @@ struct Life {
   /// By Goda's formulas, from all waves; none where the law gives no moment, or the life has no wave.
   std::optional<WorstBase> base;
   DrawnWave most_tilting;  ///< the wave with the largest heel pressure
+  /// Of each storm the wave with the largest heel pressure by Goda's formulas, in their order, where asked for.
+  std::vector<DrawnWave> worst_of_storms;
 };
 
 /// A life repeats the record, the last time with a part of its waves, or takes its storms from a source. In a record, a
@@ -124,7 +128,7 @@ class LifeSimulation {
   struct Storm;
   struct Drawn;
   void add_storm(Storm& storm, Life& life) const;
-  void add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const;
+  void add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life, DrawnWave& most) const;
   /// Returns the height of the highest wave (m); none where all waves were set aside.
   std::optional<double> add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const;
   SeaState sea_of(std::uint32_t life, std::uint32_t storm) const;

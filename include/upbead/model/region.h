@@ -139,6 +139,15 @@ struct Densification {
   double C2() const;
 };
 
+/// Sand in which cycles of shear build pore pressure: N cycles of amplitude tau liquefy it where tau/sigma'_0 =
+/// alpha N^beta, see docs/cycles.md.
+struct CyclicSoil {
+  std::optional<double> relative_density;  ///< D_r, gives alpha and beta, and C1 of its densification
+  std::optional<double> alpha, beta;       ///< instead of those by D_r
+  double alpha_r() const;
+  double beta_r() const;
+};
+
 /// One physical surface of the mesh. Optional members belong to some kinds only; diagnose() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
@@ -165,6 +174,7 @@ struct Region {
   std::optional<Rayleigh> damping;
   std::optional<Strength> strength;                              ///< porous, solid
   std::optional<Densification> densification;                    ///< porous
+  std::optional<CyclicSoil> cyclic;                              ///< porous
   std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water

@@ -58,10 +58,11 @@ struct UpliftChoice {
 
 /// The wave for which tau_0 of Shimosako and Takahashi (1994), eqs. (8)-(11), is computed.
 struct SlidingWave {
-  double height = 0.;      ///< H (m)
-  double depth = 0.;       ///< h (m)
-  double period = 0.;      ///< T (s)
-  double alpha_star = 0.;  ///< max(alpha_I, alpha_2)
+  double height = 0.;            ///< H (m)
+  double depth = 0.;             ///< h (m)
+  double period = 0.;            ///< T (s)
+  double alpha_star = 0.;        ///< max(alpha_I, alpha_2)
+  std::optional<double> factor;  ///< k in tau_0 = k tau_0F; none: that of alpha* by eqs. (8), (9)
 };
 
 struct SlidingChoice {
@@ -73,6 +74,20 @@ struct SlidingChoice {
   std::optional<SlidingWave> wave;
 };
 
+/// The waves of a storm, of which the run is one, in parts that follow each other in time: docs/cycles.md.
+struct Cycles {
+  std::vector<double> number;        ///< of waves in each part
+  std::vector<double> period;        ///< s
+  std::vector<double> height;        ///< of waves (m); empty: all are as the run's
+  std::optional<double> run_height;  ///< of the run's wave (m); where there are heights
+  std::optional<double> calm;        ///< time after the storm that is followed (s); none: until little pressure is left
+  /// Amplitude of shear of a part over that of the run.
+  double share(std::size_t part) const { return height.empty() ? 1. : height[part] / *run_height; }
+};
+
+/// Everything that is missing or contradictory in [cycles].
+Diagnostics diagnose(const Cycles& cycles);
+
 /// Limits of the checks; without a limit there is no check.
 struct Limits {
   std::optional<double> sliding;                 ///< S (m)
@@ -81,10 +96,13 @@ struct Limits {
   std::optional<double> overturning;             ///< least margin against it
   std::optional<double> safety;                  ///< least factor of strength at rest; 1 where none is given
   std::optional<double> circles;                 ///< least factor of slip circles under the caisson
+  std::optional<double> peak_safety;             ///< least factor of strength at the peak of the wave; asks for it
+  std::optional<double> liquefaction;            ///< least factor against momentary liquefaction; asks for it
   std::optional<double> sliding_factor;          ///< least factor against sliding landward by formulas; else 1
   std::optional<double> seaward_sliding_factor;  ///< likewise seaward; else as sliding_factor
   std::optional<double> settlement;              ///< of the caisson, left in the end, downward (m)
   std::optional<double> tilt;                    ///< of the caisson, left in the end (rad)
+  std::optional<double> pressure_ratio;          ///< largest residual pore pressure over the effective stress at rest
   std::optional<double> lives_beyond;            ///< share of lives that may slide farther than `sliding`
 };
 
@@ -132,6 +150,15 @@ struct Probe {
   std::array<double, 2> at{0., 0.};  ///< m
 };
 
+/// A stage in which the section is built: what appears in it, without stress, on what stands already.
+struct ConstructionStage {
+  int order = 1;                     ///< stages follow each other by it
+  std::vector<std::string> regions;  ///< that appear
+  /// Share of the caisson's weight in air that stands after this stage; none: as before, and all of a new caisson.
+  std::optional<double> caisson_share;
+  std::optional<double> water_level;  ///< of still water in this stage (m); none: that before the waves
+};
+
 struct Scene {
   std::string title;
   double gravity = 9.81;  ///< m/s2
@@ -141,8 +168,9 @@ struct Scene {
   std::map<std::string, Boundary> boundaries;
   std::map<std::string, Load> loads;
   TimeChoice time;
-  std::optional<InitialState> initial;  ///< for stiffness that depends on stress
-  double tolerance = 0.005;             ///< relative, of what `accuracy` names
+  std::optional<InitialState> initial;                    ///< for stiffness that depends on stress
+  std::map<std::string, ConstructionStage> construction;  ///< empty: all weights are put on at once
+  double tolerance = 0.005;                               ///< relative, of what `accuracy` names
   AccuracyChoice accuracy;
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
@@ -150,6 +178,7 @@ struct Scene {
   std::optional<double> output_every;  ///< s between values of the histories; none: the steps' own times
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
+  std::optional<Cycles> cycles;
   Limits limits;
 };
 
@@ -171,8 +200,14 @@ bool yields(const Scene& scene);
 /// Whether some region has a strength that is not part of its law: stresses are compared with it.
 bool has_strength(const Scene& scene);
 
+/// Whether cycles of a storm build pore pressure in some region.
+bool builds_pressure(const Scene& scene);
+
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
 double contact_friction(const Scene& scene);
+
+/// Names of the stages in the order in which they are built.
+std::vector<std::string> stages_in_order(const Scene& scene);
 
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
 /// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has a kink.

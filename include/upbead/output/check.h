@@ -44,6 +44,7 @@ struct Verdict {
   std::string text;                ///< one sentence, the governing check first
   std::optional<Check> governing;  ///< the worst of those with a limit
   int failing = 0, checked = 0;    ///< checks that fail, and those with a limit
+  int unjudged = 0;                ///< limits that were given, and could not be checked
   std::string why_void;            ///< a warning says that no verdict may be drawn; "" where none does
 };
 

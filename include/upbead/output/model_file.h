@@ -9,6 +9,7 @@
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/nested_models.h"
 #include "upbead/dynamics/reduced_system.h"
+#include "upbead/rupture/circle_family.h"
 
 namespace upbead {
 
@@ -64,6 +65,8 @@ struct ReducedModelFile {
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
   std::optional<ModelBase> base;        ///< none where W' is not known, or the file is of an older version
   std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it could not be computed
+  /// Slip circles under the caisson; none where no region has a strength, and in files of before them.
+  std::optional<CircleModel> circles;
   int unknowns = 0, solves = 0, factorisations = 0;
 };
 

@@ -160,6 +160,7 @@ struct Solution {
   std::shared_ptr<const Watched> watched;  ///< what was looked at in each state
   std::shared_ptr<SlipAhead> ahead;        ///< the space of a caisson that slips as a whole, where it was begun
   std::optional<SafetySummary> safety;     ///< where it is asked for, and where no rest was found
+  std::optional<ConstructionSummary> construction;  ///< where the section is built in stages
 };
 
 /// Lets the soil converge with the strain of its response, and solves in time. Where a way is refused, the next one is

@@ -16,6 +16,7 @@ namespace upbead {
 struct EffectiveBase {
   double width = 0.;                          ///< B (m)
   double weight = 0., weight_moment = 0.;     ///< W' (N/m), W' e_0 (N m/m)
+  double push = 0., push_moment = 0.;         ///< of still water at two levels (N/m, N m/m); its moment is in W' e_0
   std::vector<double> uplift, uplift_moment;  ///< U (N/m), M_U (N m/m)
   std::vector<double> force;                  ///< N' (N/m), compression positive
   std::vector<double> moment;                 ///< M' (N m/m)

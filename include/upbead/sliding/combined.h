@@ -8,7 +8,7 @@ namespace upbead {
 
 /// The course in time of the uplift of a wave.
 enum class UpliftShape {
-  in_phase,    ///< U_max P(t) / P_2max: proportional to the force
+  in_phase,    ///< U_max P(t) / max P: proportional to the force
   sinusoidal,  ///< gamma_U U_max sin(2 pi t / T) for 0 <= t <= T/2
 };
 
@@ -23,7 +23,7 @@ struct CombinedModel {
 struct CombinedWave {
   double period = 0.;          ///< T (s)
   double standing_force = 0.;  ///< P_1max, by alpha_1 alone (N/m)
-  TriangularPulse impulsive;   ///< P_2max, by alpha_1 and alpha*, and tau_0
+  TriangularPulse impulsive;   ///< P_2max, by alpha_1 and alpha*, and tau_0; 0 of a wave without force
   double uplift = 0.;          ///< U_max (N/m)
 };
 

@@ -65,7 +65,8 @@ struct TurnedAngle {
 TurnedAngle turned_angle(double direction, double facing);
 
 /// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c change with it, and W'
-/// falls by rho g B for each metre of the caisson's walls that comes under water. The harbour's level rises with it.
+/// falls by rho g B at B/2 for each metre of the caisson's walls that comes under water, and t with it. The harbour's
+/// level rises with it.
 Section at_water_level(const Section& section, const Water& water, double rise);
 
 /// The coefficient that is added to alpha_1 in p_1.

@@ -8,7 +8,8 @@
 
 namespace upbead {
 
-/// By the section's own W', mu and t; in the trough about the seaward edge, without suction under the base.
+/// By the section's own W', mu and t; in the trough about the seaward edge, without suction under the base, which is
+/// only in the pressure of the toe, where it is larger with it.
 struct StandingAnswer {
   double wavelength = 0.;  ///< L (m)
   double residual = 0.;    ///< StandingWave::residual
@@ -24,7 +25,7 @@ struct StandingAnswer {
 struct TroughBound {
   double force = 0.;         ///< seaward (N/m)
   double force_moment = 0.;  ///< about the bottom's level (N m/m)
-  Stability seaward;         ///< without suction under the base
+  Stability seaward;         ///< suction under the base as in StandingAnswer
 };
 TroughBound trough_bound(const Section& section, const Water& water, const DesignWave& wave, double factor = 1.);
 

@@ -45,8 +45,8 @@ class StandingWave {
 };
 
 /// Pressures of a standing wave on a caisson. They act on its front from the bottom to the crest, which higher water
-/// overtops, and on its bottom as Goda's triangle with the pressure at the toe. Suction under the bottom would help and
-/// is left out.
+/// overtops, and on its bottom as Goda's triangle with the pressure at the toe. Suction under the bottom,
+/// p_u < 0, is not in U.
 struct WallPressure {
   double time = 0.;           ///< s
   double surface = 0.;        ///< eta at the wall (m)

@@ -39,16 +39,18 @@ export function combinedForce(wave) {
   return {time, force: time.map(parts.force)};
 }
 
-function upliftAt(wave, {uplift, uplift_gain: gain = 1}, force, t) {
-  if (uplift === "in_phase") return wave.uplift * force / wave.peak;
+// largest: of P over time
+function upliftAt(wave, {uplift, uplift_gain: gain = 1}, force, largest, t) {
+  if (uplift === "in_phase") return largest > 0 ? wave.uplift * force / largest : 0;
   return 2 * t < wave.period ? gain * wave.uplift * Math.sin(2 * Math.PI * t / wave.period) : 0;
 }
 
 // S (m). mass: W/g and the added mass (kg/m); model: table [combined] of a design.
 export function distanceCombined(mass, {friction, submerged_weight: weight}, wave, model) {
   const resistance = friction * weight, peak = Math.max(wave.peak, wave.standingForce);
-  const most = wave.uplift * Math.max(model.uplift_gain ?? 1, peak / wave.peak);
+  const most = wave.uplift * Math.max(model.uplift_gain ?? 1, 1);
   if (peak + friction * most <= resistance) return 0;
-  const {time, force} = combinedForce(wave), F = force.map((value, n) => value + friction * upliftAt(wave, model, value, time[n]));
+  const {time, force} = combinedForce(wave), largest = Math.max(...force);
+  const F = force.map((value, n) => value + friction * upliftAt(wave, model, value, largest, time[n]));
   return slideOnFriction({friction, weight, drag: 0}, mass, time, Float64Array.from(F), null).S;
 }

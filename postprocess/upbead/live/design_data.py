@@ -51,6 +51,8 @@ def design_data(design, name):
     waves = design.get("waves")
     if "section" not in design or not waves or "duration" not in design:
         raise UserError(f"'{name}' is no design with a section and a wave, as 'upbead waves' reads it; give one, the folder of 'upbead waves', or a reduced model")
+    if design["section"].get("harbour_level", 0.):
+        raise UserError(f"'{name}' has sea and harbour at two levels, and the page knows one: the still water's push and lift would be missing; remove section.harbour_level, or see 'upbead waves'")
     return {
         "title": design.get("title") or "Design",
         "water": {"density": design["fluid"]["density"], "gravity": design["gravity"]},

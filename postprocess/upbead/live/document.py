@@ -19,7 +19,7 @@ HERE = Path(__file__).parent
 # Each module after those that it imports, as one script needs no imports.
 SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
-OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
+OF_MODEL = ("fft", "trust", "base", "circles", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
 OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "life", "design")
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 

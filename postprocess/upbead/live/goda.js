@@ -17,12 +17,14 @@ function alphaI1(bermOverLength, moundOverDepth) {
 }
 
 // The section with its still water `rise` higher (m), as at_water_level() has it: W' loses rho g B rise where the walls
-// are under water.
+// are under water, at B/2.
 export function atLevel(section, water, rise) {
   const underWater = Math.min(Math.max(rise, -section.foundation_depth), section.crest);
-  return {...section, water_depth: section.water_depth + rise, foundation_depth: section.foundation_depth + rise,
-    berm_depth: section.berm_depth + rise, crest: section.crest - rise,
-    submerged_weight: section.submerged_weight - water.density * water.gravity * section.width * underWater};
+  const buoyancy = water.density * water.gravity * section.width * underWater, submerged_weight = section.submerged_weight - buoyancy;
+  const line = section.centroid === undefined || submerged_weight === 0 ? {} :
+    {centroid: (section.submerged_weight * section.centroid - buoyancy * 0.5 * section.width) / submerged_weight};
+  return {...section, ...line, submerged_weight, water_depth: section.water_depth + rise, foundation_depth: section.foundation_depth + rise,
+    berm_depth: section.berm_depth + rise, crest: section.crest - rise};
 }
 
 // {height, significant, period, angle (rad)}, with heights by random breaking where that of deep water is given, as

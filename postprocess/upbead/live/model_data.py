@@ -38,6 +38,7 @@ def model_data(path):
             "slips": "slip" in file,
             "wave": case_wave(case_in(file), names),
             "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),
+            "circles": circles_of(file),
             "nested": model.nested and [modes_of(larger, ["shear_force"]) for larger in model.nested],
         }
 
@@ -64,6 +65,17 @@ def base_of(file):
     if "base" not in file:
         return None
     return dict(zip(("width", "weight", "weight_moment", "uplift_moment_per_force"), file["base"][()].tolist()))
+
+
+def circles_of(file):
+    """The slip circles, with their readings in the modes of the model, or None."""
+    if "circles" not in file:
+        return None
+    group = file["circles"]
+    if not np.array_equal(group["pole"][()], file["modes/pole"][()]) or not np.array_equal(group["load"][()], file["modes/load"][()]):
+        raise ModelError("the slip circles of the model have other modes than it has; make it again with 'upbead reduce'")
+    names = ("circle", "slice", "reading", "feedthrough", "impulse")
+    return {"base": group["base"][()].tolist(), **{name: doubles(group[name][()]) for name in names}}
 
 
 def modes_of(model, names):

@@ -2,7 +2,7 @@
 // src/dynamics/modal_response.cc has it: y = Re sum reading z + feedthrough f + impulse int f dt.
 import {phiFunctions} from "./phi.js";
 
-const doubles = (text) => new Float64Array(Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0)).buffer);
+export const doubles = (text) => new Float64Array(Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0)).buffer);
 
 // Of the numbers that live.model_data wrote. `readings`: {name: {weight, feedthrough, impulse}}
 export function modesOf(data) {
@@ -89,4 +89,42 @@ export function answers(modes, names, loads, grid, smoothStart) {
     names.forEach((name, i) => addDirect(modes.readings[name], k, smoothStart ? values[0] : 0, load, grid.time, y[i]));
   });
   return y;
+}
+
+// z of all modes after the steps that end at those ascending times, from a load: for each time Re and Im by turns.
+function statesAt(modes, k, load, grid, moments) {
+  const states = moments.map(() => new Float64Array(2 * modes.count)), z = new Float64Array(2 * modes.count);
+  const re = new Float64Array(BLOCK), im = new Float64Array(BLOCK);
+  let next = moments.findIndex((n) => n > 0);
+  for (const {from, to, step} of grid.stretches) {
+    const table = stepTable(modes, k, step);
+    for (let first = from; first < to && next >= 0 && next < moments.length;) {
+      const stop = Math.min(first + BLOCK, to, moments[next]);
+      for (let m = 0; m < modes.count; ++m) advance(table, m, z, load, first, stop, re, im);
+      first = stop;
+      if (stop === moments[next]) states[next++].set(z);
+    }
+  }
+  return states;
+}
+
+// Many readings at a few ascending times: for each time a row. table: {weight, feedthrough, impulse}, by reading.
+export function readingsAt(modes, table, loads, grid, moments, smoothStart) {
+  const count = table.feedthrough.length / modes.nLoads, rows = moments.map(() => new Float64Array(count));
+  loads.forEach((values, k) => {
+    if (values.every((value) => value === 0)) return;
+    const load = steps(values, grid), states = statesAt(modes, k, load, grid, moments), direct = new Float64Array(grid.time.length);
+    const area = new Float64Array(grid.time.length);
+    addDirect({feedthrough: {[k]: 1}, impulse: {[k]: 0}}, k, smoothStart ? values[0] : 0, load, grid.time, direct);
+    addDirect({feedthrough: {[k]: 0}, impulse: {[k]: 1}}, k, 0, load, grid.time, area);
+    moments.forEach((n, i) => {
+      for (let r = 0; r < count; ++r) {
+        let sum = table.feedthrough[r * modes.nLoads + k] * direct[n] + table.impulse[r * modes.nLoads + k] * area[n];
+        for (let m = 0, at = 2 * r * modes.count; m < modes.count; ++m, at += 2)
+          sum += table.weight[at] * states[i][2 * m] - table.weight[at + 1] * states[i][2 * m + 1];
+        rows[i][r] += sum;
+      }
+    });
+  });
+  return rows;
 }

@@ -1,5 +1,6 @@
 // What a reduced model answers to one wave: the numbers of `upbead respond`, found as src/respond has them.
 import {baseExtremes, edgesOf} from "./base.js";
+import {circleOfWave, circlesOf} from "./circles.js";
 import {checkTimes, onGrid, requireRoom, waveGrid} from "./grid.js";
 import {answers, modesOf} from "./modes.js";
 import {slideOnFriction} from "./slide.js";
@@ -8,7 +9,7 @@ import {beyondBand, errorBound} from "./trust.js";
 
 // Of the numbers that live/model_data.py wrote.
 export function modelOf(data) {
-  return {...data, modes: modesOf(data.modes), nested: data.nested && data.nested.map(modesOf)};
+  return {...data, modes: modesOf(data.modes), nested: data.nested && data.nested.map(modesOf), circles: circlesOf(data.circles)};
 }
 
 // {time, value}: the largest of way * y; where the history is smooth and its neighbours equally far, of the parabola
@@ -70,7 +71,7 @@ export function histories(model, wave, slides, mostTimes = Infinity) {
   const P = new Float64Array(grid.time.length);
   loads.forEach((values, k) => values.forEach((value, n) => { P[n] += force[k] * value; }));
   const smooth = startsAtZero && endsAtZero && model.modes.readings.shear_force.feedthrough.every((value) => value === 0);
-  return {wave, grid, rough, longest, loads, P, smooth, F: y[0], ofBase: Object.fromEntries(ofBase.map((name, i) => [name, y[i + 1]]))};
+  return {wave, grid, rough, longest, loads, P, smooth, smoothStart: grid.equal !== null && endsAtZero, F: y[0], ofBase: Object.fromEntries(ofBase.map((name, i) => [name, y[i + 1]]))};
 }
 
 // N', M' and U on the base; prescribed: an uplift besides the computed one, or null.
@@ -93,7 +94,8 @@ export function answerOf(model, history, sliding) {
   Object.assign(answer, slideOnFriction(sliding, model.mass, grid.time, F, answer.U));
   if (!model.base) return answer;
   const base = onBase(model, history, prescribed);
-  return {...answer, N: base.N, M: base.M, ...edgesOf(base), worst: baseExtremes(base)};
+  const circle = model.circles && circleOfWave(model.circles, model.modes, base, F, history.loads, grid, history.smoothStart);
+  return {...answer, N: base.N, M: base.M, ...edgesOf(base), worst: baseExtremes(base), circle};
 }
 
 // {beyond_band, error_estimate}, both over the largest |F_T|; the latter null where the model cannot tell.

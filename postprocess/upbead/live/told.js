@@ -5,6 +5,8 @@ const margin = (value) => value === null ? "nothing overturns" : plain(value, 3)
 const pressure = (value) => value === null ? "the resultant leaves the base" : quantity(value, "Pa");
 const EDGES = {"-1": "its seaward edge", 0: "the whole base", 1: "its landward edge"};
 const lifts = ({worst, time}) => worst.lifts === null ? "never" : `${EDGES[worst.lifts.edge]}, at ${quantity(time[worst.lifts.n], "s")}`;
+const circleText = ({circle: {factor, n, circle, computed}, time}) => circle === null ? `0: the resultant leaves the base at ${quantity(time[n], "s")}` :
+  `${plain(factor, 3)}, ${circle.side > 0 ? "landward" : "seaward"} at ${quantity(time[n], "s")}, by ${computed ? "computed" : "still water's"} pore pressure`;
 const meters = (value) => value === 0 ? "0" : quantity(value, "m");
 
 // [key of `upbead respond`, name, text, value or null]
@@ -24,6 +26,7 @@ export function rowsOf(answer, asked) {
     ["peak_toe_pressure", "largest toe pressure in motion", pressure(answer.worst.toe), answer.worst.toe],
     ["base_lifts", "the base first lifts", lifts(answer), answer.worst.lifts && answer.time[answer.worst.lifts.n]],
     ["least_overturning_margin", "least margin against overturning", margin(answer.worst.margin), answer.worst.margin]);
+  if (answer.circle) rows.push(["circle_factor", "least factor of slip circles", circleText(answer), answer.circle.factor]);
   return rows;
 }
 
@@ -68,6 +71,9 @@ export function notesOf(model, answer, sliding) {
     if (answer.worst.lifts) notes.push(`The base lifts, first ${lifts(answer)}: the model's ground sticks to it and pulls, so that F_T, N′ and all pressures ` +
       "are doubtful from then on; upbead run with regions.caisson.interface.kind = \"friction\" lets it lift.");
   }
+  if (answer.circle && answer.circle.factor < 1)
+    notes.push("On the least safe slip circle the ground under the caisson would slip: a factor below 1 of a moment is a permanent displacement and not yet a collapse.");
+  if (answer.circle) notes.push(`Slip circles are those of the model's family, whose least factor was up to ${percent(model.circles.gap)} above that of a full search.`);
   if (!model.base) notes.push("The model's file does not tell what stands on the base: no N′, pressures or margin.");
   if (model.sliding && model.sliding.uplift === "history") notes.push("The case's uplift is a record of its own wave; here it is the one chosen above.");
   return notes;

@@ -17,7 +17,8 @@ std::optional<Caisson> find_caisson(const Space& space) {
     if (space.mesh().surface_of(cell) != caisson_name) continue;
     for (const unsigned f : cell->face_indices()) {
       if (cell->at_boundary(f) || space.mesh().surface_of(cell->neighbor(f)) == caisson_name) continue;
-      if (space.kind(cell->neighbor(f)) == CellKind::water) continue;
+      const CellKind beside = space.kind(cell->neighbor(f));
+      if (beside == CellKind::water || beside == CellKind::absent) continue;  // at rest the sea is absent
       const auto face = cell->face(f);
       left = std::min({left, face->vertex(0)[0], face->vertex(1)[0]});
       right = std::max({right, face->vertex(0)[0], face->vertex(1)[0]});

@@ -48,21 +48,33 @@ void require_pressing(const Interface& interface, const Vector& N) {
                       significant(N.sum()) + " N/m, does not press the whole bottom down");
 }
 
-/// It is not known how a caisson was set down. The first of these states with compression at every node is taken: the
-/// static state of caisson and soils under their weight; the caisson set down on soils that have settled under their
-/// own weight; stresses that are linear over the bottom. Throws NumericsError where no state has it: see
-/// check_at_rest.
-RestForces rest_forces(const Simulation& simulation, const Interface& interface) {
+/// A state at rest and its name.
+using RestWay = std::pair<std::string, std::function<Vector()>>;
+
+/// As the stages of construction tell. Else it is not known how a caisson was set down: the static state of caisson and
+/// soils under their weight; the caisson set down on soils that have settled under their own weight. After both,
+/// stresses that are linear over the bottom.
+std::vector<RestWay> rest_ways(const Simulation& simulation, const Interface& interface) {
   const auto by_ground = [&](bool has_settled) {
-    return static_normal_forces(simulation.scene(), *simulation.mesh(), simulation.soil_state(), has_settled);
+    return [&simulation, has_settled] {
+      return static_normal_forces(simulation.scene(), *simulation.mesh(), simulation.soil_state(), has_settled);
+    };
   };
-  const std::vector<std::pair<std::string, std::function<Vector()>>> ways = {
-      {"at rest: caisson and soils under their weight", [&] { return by_ground(false); }},
-      {"at rest: the caisson set down on soils that have settled", [&] { return by_ground(true); }},
-      {"at rest: stresses linear over the bottom",
-       [&] { return linear_forces(interface, caisson_in_water(simulation.scene(), *simulation.mesh())); }}};
+  std::vector<RestWay> ways;
+  if (simulation.scene().construction.empty())
+    ways = {{"at rest: caisson and soils under their weight", by_ground(false)},
+            {"at rest: the caisson set down on soils that have settled", by_ground(true)}};
+  else
+    ways = {{"at rest: as it was built in stages", by_ground(false)}};
+  ways.emplace_back("at rest: stresses linear over the bottom",
+                    [&] { return linear_forces(interface, caisson_in_water(simulation.scene(), *simulation.mesh())); });
+  return ways;
+}
+
+/// The first of rest_ways with compression at every node. Throws NumericsError where none has it: see check_at_rest.
+RestForces rest_forces(const Simulation& simulation, const Interface& interface) {
   RestForces rest;
-  for (const auto& [way, forces] : ways) {
+  for (const auto& [way, forces] : rest_ways(simulation, interface)) {
     rest.ladder.push_back({way, ""});
     try {
       rest.normal_force = forces();

@@ -64,7 +64,7 @@ std::optional<EqualImpulse> equal_impulse(double mass, const HistorySliding& his
 PulseSliding pulse_sliding(const SlidingWave& wave, double mass, const HistorySliding& history, double push) {
   PulseSliding s;
   s.standing_duration = standing_duration(wave.height, wave.depth, wave.period);
-  s.factor = DurationFactor()(wave.alpha_star);
+  s.factor = wave.factor.value_or(DurationFactor()(wave.alpha_star));
   s.duration = s.factor * s.standing_duration;
   const TriangularPulse pulse{history.peak_force - push, s.duration};
   const double resistance = history.resistance - push;

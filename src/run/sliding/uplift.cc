@@ -1,6 +1,7 @@
 #include "run/sliding/uplift.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "response/shear_response.h"
 
@@ -8,8 +9,15 @@ namespace upbead {
 
 namespace {
 
-/// U follows P by `lag` while P is landward; with the course held, U stays at its peak after the peak of P.
-TimeFunction follow_force(const UpliftChoice& uplift, const TimeFunction& P, double end) {
+/// Whether waves press on the landward wall alone: then all is as in a mirror.
+bool pushes_seaward_alone(const TimeFunction& P, double end) {
+  return extremum(P, 0., end, 1).value <= 0. && extremum(P, 0., end, -1).value < 0.;
+}
+
+/// U follows P by `lag` while P is landward, or where it never is, while it is seaward; with the course held, U stays
+/// at its peak after the peak of P.
+TimeFunction follow_force(const UpliftChoice& uplift, const TimeFunction& force, double end) {
+  const TimeFunction P = pushes_seaward_alone(force, end) ? scaled(force, -1.) : force;
   const Extremum largest = extremum(P, 0., end, 1);
   if (largest.value <= 0.) return {};
   const double lag = uplift.lag, peak = *uplift.peak, over = largest.time + lag;
@@ -89,9 +97,11 @@ std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::ve
   std::vector<UpliftPart> parts = uplift.parts;
   if (parts.empty()) {
     const bool triangle = uplift.distribution == UpliftDistribution::triangle;  // p_u = 2 U/B, Goda (2000)
-    const TimeFunction U =
-        prescribed_uplift(uplift, force_on_caisson(*simulation.compiled()), simulation.scene().time.end);
-    parts.push_back({{{from, (triangle ? 2. : 1.) / B}, {to, triangle ? 0. : 1. / B}}, U});
+    const TimeFunction P = force_on_caisson(*simulation.compiled());
+    const double end = simulation.scene().time.end;
+    double wet = (triangle ? 2. : 1.) / B, dry = triangle ? 0. : 1. / B;  // at the edge under the wave, at the other
+    if (pushes_seaward_alone(P, end)) std::swap(wet, dry);
+    parts.push_back({{{from, wet}, {to, dry}}, prescribed_uplift(uplift, P, end)});
   }
   std::vector<UpliftLoad> loads;
   for (const UpliftPart& part : parts) loads.push_back(load_of(part, from, to, position, length));
