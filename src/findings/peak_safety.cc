@@ -140,7 +140,12 @@ Checks peak_checks(const Scene& scene, const Summary& summary) {
       "bonded to its mound, no inertia of the ground; of this mesh: coarse cells give too large ones";
   if (summary.peak_safety) {
     const PeakSafety& s = *summary.peak_safety;
-    factor = s.lower;
+    const bool falls = !s.lower && s.upper && *s.upper < *scene.limits.peak_safety;
+    factor = falls ? s.upper : s.lower;
+    if (falls)
+      how += "; at most that, as it does not bear it with " + significant(1. / *s.upper, 3) +
+             " times its strength: where that is a surface beside the caisson, the pore pressure lifts it, see "
+             "limits.liquefaction";
     how += "; " + told_failure(s) + "; pore pressure: " + s.pressure;
     if (!s.why_open.empty()) how += "; " + s.why_open;
   }
