@@ -165,7 +165,9 @@ std::string markdown(const Sheet& sheet) {
     Cells cells = cells_of(row);
     if (!row.check.why_not.empty()) cells = {"", "", "", "", "not checked: " + row.check.why_not, cells.back()};
     const std::string bold = row.governs ? "**" : "";
-    text += "| " + row.mode + " | " + bold + name_of(row.check) + bold + " | " + join(cells, " | ") + " |\n";
+    text += "| " + row.mode + " | " + bold + name_of(row.check) + bold + " |";
+    for (const std::string& cell : cells) text += " " + cell + " |";  // empty ones, too
+    text += "\n";
   }
   return text +
          list_of("\n## Measures that disagree\n\nBoth stand, and the worse governs.\n", differences(sheet), "- ") +

@@ -37,6 +37,7 @@ class Sheet(ProgramTest):
         self.check_governing(sheet["checks"])
         self.check_disagreements(sheet)
         self.check_screen(sheet, done.stdout)
+        self.check_markdown(sheet, (self.folder / "sheet/sheet.md").read_text())
         self.assertTrue((self.folder / "sheet/results.h5").exists())
         self.check_document(sheet)
 
@@ -64,6 +65,16 @@ class Sheet(ProgramTest):
         both = {row["mode"] for row in sheet["checks"] if row["holds"] is False} & modes
         self.assertEqual({one["mode"] for one in sheet["disagreements"]}, both)
         self.assertTrue(both, "this section has measures that disagree")
+
+    def check_markdown(self, sheet, text):
+        head, _, *rows = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("|")]
+        self.assertEqual(len(rows), len(sheet["checks"]))
+        self.assertEqual({len(row) for row in rows}, {len(head)}, "a column for each cell, also where it is empty")
+        factor, required = ([cell.strip() for cell in head].index(name) for name in ("factor", "required"))
+        for row, check in zip(rows, sheet["checks"]):
+            if check["unit"] == "" and check["demand"] is not None and check["capacity"] is not None and "share" not in check["name"]:
+                self.assertAlmostEqual(float(row[factor]) / check["demand"], 1, 2)
+                self.assertAlmostEqual(float(row[required]) / check["capacity"], 1, 2)
 
     def check_screen(self, sheet, text):
         self.assertIn("verdict     " + sheet["verdict"]["text"], text)
