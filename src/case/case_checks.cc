@@ -340,6 +340,18 @@ void check_levels_of(const Section& section, const CaseTables& tables, const Tab
               "give the same in both: initial.harbour_level = initial.water_level + section.harbour_level");
 }
 
+/// A caisson that the still water of sea and harbour pushes away has no S of a wave.
+void check_that_it_stays(const Section& section, const Water& water, const TableDiagnostics& wrong) {
+  const StillWater still = still_water(section, water);
+  const double holds = section.friction * (section.submerged_weight + still.weight);
+  if (still.push <= 0. || holds > still.push) return;
+  wrong.add("harbour_level",
+            "harbour_level = " + number_text(section.harbour_level) + " m: still water pushes the caisson with " +
+                with_unit(still.push, "N/m") + ", and mu (W' + dW') = " + with_unit(holds, "N/m") +
+                " is no more: it slides without a wave",
+            "give the harbour a level nearer to the sea's, or check friction, submerged_weight and width");
+}
+
 }  // namespace
 
 void check_section(const CaseTables& tables, const Document& document, Diagnostics& report) {
@@ -347,6 +359,7 @@ void check_section(const CaseTables& tables, const Document& document, Diagnosti
   const TableDiagnostics wrong("section", document, report);
   wrong.add(diagnose(*tables.section));
   check_levels_of(*tables.section, tables, wrong);
+  check_that_it_stays(*tables.section, {tables.fluid.density, tables.gravity}, wrong);
   if (!report.sound("regions") || !has_frictional_contact(tables)) return;
   const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
   if (mu && *mu != tables.section->friction)
