@@ -12,6 +12,7 @@
 #include "model/exclusions.h"
 #include "model/motion.h"
 #include "model/words.h"
+#include "sliding/still_water_push.h"
 #include "upbead/case/case.h"
 
 namespace upbead {
@@ -342,13 +343,9 @@ void check_levels_of(const Section& section, const CaseTables& tables, const Tab
 
 /// A caisson that the still water of sea and harbour pushes away has no S of a wave.
 void check_that_it_stays(const Section& section, const Water& water, const TableDiagnostics& wrong) {
-  const StillWater still = still_water(section, water);
-  const double holds = section.friction * (section.submerged_weight + still.weight);
-  if (still.push <= 0. || holds > still.push) return;
-  wrong.add("harbour_level",
-            "harbour_level = " + number_text(section.harbour_level) + " m: still water pushes the caisson with " +
-                with_unit(still.push, "N/m") + ", and mu (W' + dW') = " + with_unit(holds, "N/m") +
-                " is no more: it slides without a wave",
+  const std::string why = moved_by_still_water(still_water(section, water), section.friction, section.submerged_weight);
+  if (why.empty()) return;
+  wrong.add("harbour_level", "harbour_level = " + number_text(section.harbour_level) + " m: " + why,
             "give the harbour a level nearer to the sea's, or check friction, submerged_weight and width");
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "design/waves_report.h"
+#include "sliding/still_water_push.h"
 
 namespace upbead {
 
@@ -43,13 +44,10 @@ std::vector<std::pair<std::string, Section>> sections_at_levels(const DesignTabl
 /// A caisson that the still water of sea and harbour pushes away or lifts has no S of a wave.
 Diagnostic pushed_away(const DesignTables& tables) {
   for (const auto& [where, section] : sections_at_levels(tables)) {
-    const StillWater still = still_water(section, tables.water);
-    const double holds = section.friction * (section.submerged_weight + still.weight), push = std::max(still.push, 0.);
-    if (holds > push) continue;
-    return {at_key("harbour_level"),
-            "harbour_level = " + significant(section.harbour_level, 6) + " m: still water pushes the caisson with " +
-                significant(push / 1e3, 4) + " kN/m" + where + ", and mu (W' + dW') = " + significant(holds / 1e3, 4) +
-                " kN/m is no more: it slides without a wave",
+    const std::string why =
+        moved_by_still_water(still_water(section, tables.water), section.friction, section.submerged_weight, where);
+    if (why.empty()) continue;
+    return {at_key("harbour_level"), "harbour_level = " + significant(section.harbour_level, 6) + " m: " + why,
             "give the harbour a level nearer to the sea's, or check friction, submerged_weight and width"};
   }
   return {};

@@ -81,10 +81,12 @@ class TwoLevels(Loads):
         self.assertAlmostEqual(sliding["peak_sliding_force"] / loaded["peak_sliding_force"], 1, delta=3e-3)
 
     def test_a_caisson_that_still_water_pushes_away_is_a_mistake(self):
-        done = upbead("run", LEVELS, *self.settings(*self.COARSE, *self.GIVEN, "sliding.friction=0.05"), "--out", "away", cwd=self.folder)
-        self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("it slides without a wave", done.stderr)
-        self.assertFalse((self.folder / "away").exists())
+        lifted = ("initial.water_level=11", "initial.harbour_level=14", "loads.levels.factor=0", "sliding.submerged_weight=2e5")
+        for settings in ((*self.GIVEN, "sliding.friction=0.05"), lifted):
+            done = upbead("run", LEVELS, *self.settings(*self.COARSE, *settings), "--out", "away", cwd=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("it slides without a wave", done.stderr)
+            self.assertFalse((self.folder / "away").exists())
 
     def test_slip_circles_have_the_push(self):
         strong = ("regions.seabed.strength={ friction_angle = 35 }", "regions.mound.strength={ friction_angle = 40, cohesion = 20e3 }")

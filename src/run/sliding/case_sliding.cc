@@ -8,6 +8,7 @@
 #include "model/words.h"
 #include "response/shear_response.h"
 #include "run/sliding/uplift.h"
+#include "sliding/still_water_push.h"
 #include "upbead/base/error.h"
 #include "upbead/waves/goda.h"
 
@@ -104,12 +105,12 @@ void check_sliding(const Simulation& simulation) {
     mistakes.add(at_key("sliding.uplift.kind"),
                  "the uplift cannot be computed: no pore pressure acts on the caisson's bottom",
                  "give a porous region under it a flow other than drained, or prescribe the uplift");
-  const StillWater still = still_water(scene, *compiled.caisson);
-  const double holds = sliding.friction * (sliding.submerged_weight + still.weight);
-  if (still.push > 0. && holds <= still.push)
-    mistakes.add(at_key("initial.harbour_level"),
-                 "still water pushes the caisson with " + with_unit(still.push, "N/m") +
-                     ", and mu (W' + dW') = " + with_unit(holds, "N/m") + " is no more: it slides without a wave",
+  const std::string moved =
+      scene.initial && scene.initial->harbour_level
+          ? moved_by_still_water(still_water(scene, *compiled.caisson), sliding.friction, sliding.submerged_weight)
+          : "";
+  if (!moved.empty())
+    mistakes.add(at_key("initial.harbour_level"), moved,
                  "give the harbour a level nearer to the sea's, or check friction and submerged_weight");
   mistakes.throw_if_any();
 }
