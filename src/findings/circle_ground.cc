@@ -78,9 +78,10 @@ CircleRange range_beside(const CircleGround& ground, const StripLoad& strip) {
   return {{ground.from, strip.from}, {strip.to, ground.to}};
 }
 
-bool may_slip(const BaseMoment& moment, SlipsTo slips) {
-  const double side = slips == SlipsTo::right ? 1. : -1.;
-  return !(side * moment.shear < 0. && side * moment.moment < 0.);
+std::optional<CircleSearch> search_one_way(const CircleGround& ground, const GroundLoads& loads,
+                                           const BaseMoment& moment, SlipsTo slips, const SearchOptions& options) {
+  if (!may_slip(moment.shear, moment.moment, slips)) return std::nullopt;
+  return search_circles(ground.section, loads, slips, range_beside(ground, *loads.strip), options);
 }
 
 std::vector<BaseMoment> moments_to_look_at(const EffectiveBase& base, const std::vector<double>& shear,
@@ -106,12 +107,12 @@ LookedFor least_circle(const CircleGround& ground, const BaseMoment& moment, con
   const std::optional<GroundLoads> loads = loads_of(ground, moment, pressure);
   if (!loads) return found;
   for (const SlipsTo slips : {SlipsTo::right, SlipsTo::left}) {
-    if (!may_slip(moment, slips)) continue;
-    const CircleSearch search =
-        search_circles(ground.section, *loads, slips, range_beside(ground, *loads->strip), options);
-    found.tried += search.tried;
-    found.steep += search.steep;
-    if (!search.family.empty()) found.least = worse(found.least, told(search.family[0], moment, *loads->strip, slips));
+    const std::optional<CircleSearch> search = search_one_way(ground, *loads, moment, slips, options);
+    if (!search) continue;
+    found.tried += search->tried;
+    found.steep += search->steep;
+    if (!search->family.empty())
+      found.least = worse(found.least, told(search->family[0], moment, *loads->strip, slips));
   }
   return found;
 }
@@ -186,11 +187,7 @@ SlipCircleSlices slices_at(const CircleGround& ground, const SlipCircleFound& ci
   SlipCircleSlices told;
   const auto loads = loads_of(ground, {circle.time, circle.force, circle.shear, circle.moment}, pressure);
   if (!loads) return told;
-  const auto arc = [&](double x) -> std::optional<BasePoint> {
-    const double away = circle.centre[0] - x, below = circle.radius * circle.radius - away * away;
-    if (!(below > 0.)) return std::nullopt;
-    return BasePoint{circle.centre[1] - std::sqrt(below), 0., 1.};
-  };
+  const auto arc = arc_of({circle.centre[0], circle.centre[1], circle.radius}, way_of(circle));
   for (const Slice& s : slices_of(ground.section, *loads, arc, circle.from, circle.to, n_slices).list) {
     told.x.push_back(s.x);
     told.width.push_back(s.width);

@@ -41,8 +41,9 @@ PointGrid grid_of(const CircleGround& ground);
 /// All of the ground that leaves the whole strip on the part that slips.
 CircleRange range_beside(const CircleGround& ground, const StripLoad& strip);
 
-/// Whether what pushes the base and where its resultant stands leave it open that the ground slips that way.
-bool may_slip(const BaseMoment& moment, SlipsTo slips);
+/// Circles that slip one way under the loads of a moment, loads_of(); none where may_slip() says that they cannot.
+std::optional<CircleSearch> search_one_way(const CircleGround& ground, const GroundLoads& loads,
+                                           const BaseMoment& moment, SlipsTo slips, const SearchOptions& options);
 
 /// Why circles cannot be sought in a scene; "" where they can, as far as the base is known.
 std::string why_no_circles_in(const Simulation& simulation);

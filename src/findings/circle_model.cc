@@ -72,10 +72,9 @@ PressureAt scaled_pressure(const PressureMap& map, const BaseMoment& moment, dou
 std::optional<FoundCircle> least_one(const CircleGround& ground, const BaseMoment& moment, const PressureAt& pressure,
                                      SlipsTo slips, const SearchOptions& options) {
   const std::optional<GroundLoads> loads = loads_of(ground, moment, pressure);
-  if (!loads || !may_slip(moment, slips)) return std::nullopt;
-  const CircleSearch search =
-      search_circles(ground.section, *loads, slips, range_beside(ground, *loads->strip), options);
-  return search.family.empty() ? std::nullopt : std::optional(search.family[0]);
+  if (!loads) return std::nullopt;
+  const std::optional<CircleSearch> search = search_one_way(ground, *loads, moment, slips, options);
+  return search && !search->family.empty() ? std::optional(search->family[0]) : std::nullopt;
 }
 
 bool is_like(const FamilyCircle& a, const FamilyCircle& b, double width) {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "rupture/ground_loads.h"
-#include "rupture/slices.h"
+#include "rupture/slip_circle.h"
 
 namespace upbead {
 
@@ -67,8 +67,7 @@ std::optional<FamilyFactor> least_factor(const CircleFamily& family, const BaseL
   std::optional<FamilyFactor> least;
   for (std::size_t i = 0; i < family.circles.size(); ++i) {
     const FamilyCircle& circle = family.circles[i];
-    const double side = circle.landward ? 1. : -1.;
-    const bool goes = !(side * load.shear < 0. && side * load.moment < 0.);  // as least_circle() of findings has it
+    const bool goes = may_slip(load.shear, load.moment, circle.landward ? SlipsTo::right : SlipsTo::left);
     const auto factor = goes ? factor_under(circle, *strip, load.force, readings) : std::nullopt;
     if (factor && (!least || *factor < least->factor)) least = FamilyFactor{*factor, i};
     if (readings) readings += circle.n_readings();

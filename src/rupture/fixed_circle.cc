@@ -8,15 +8,10 @@ std::optional<FamilyCircle> family_circle(const GroundSection& section, const Gr
                                           const SlipCircle& circle, SlipsTo slips, double from, double to, int n) {
   GroundLoads still;
   still.surcharge = loads.surcharge;
-  const double side = slips == SlipsTo::right ? 1. : -1., R = circle.radius;
-  const auto arc = [&](double x) -> std::optional<BasePoint> {
-    const double away = circle.x - x, below = R * R - away * away;
-    if (!(below > 0.)) return std::nullopt;
-    return BasePoint{circle.y - std::sqrt(below), side * away / R, std::sqrt(below) / R};
-  };
-  const Slices slices = slices_of(section, still, arc, from, to, n);
+  const double side = slips == SlipsTo::right ? 1. : -1.;
+  const Slices slices = slices_of(section, still, arc_of(circle, slips), from, to, n);
   if (slices.why != NoFactor::none) return std::nullopt;
-  FamilyCircle found{circle.x, circle.y, R, from, to, slips == SlipsTo::right, 0., {}};
+  FamilyCircle found{circle.x, circle.y, circle.radius, from, to, slips == SlipsTo::right, 0., {}};
   for (const Slice& s : slices.list) {
     found.slices.push_back({s.x, s.width, s.base.sine, s.base.cosine, s.cohesion, s.friction, s.vertical});
     found.weight_moment += side * s.vertical * (circle.x - s.x) * s.width;

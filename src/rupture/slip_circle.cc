@@ -6,15 +6,24 @@
 
 namespace upbead {
 
-FigureSafety circle_safety(const GroundSection& section, const GroundLoads& loads, const SlipCircle& circle,
-                           SlipsTo slips, double from, double to, int n_slices) {
-  const double side = slips == SlipsTo::right ? 1. : -1., R = circle.radius;
-  const auto arc = [&](double x) -> std::optional<BasePoint> {
-    const double away = circle.x - x, below = R * R - away * away;
+std::function<std::optional<BasePoint>(double x)> arc_of(const SlipCircle& circle, SlipsTo slips) {
+  const double side = slips == SlipsTo::right ? 1. : -1.;
+  return [circle, side](double x) -> std::optional<BasePoint> {
+    const double R = circle.radius, away = circle.x - x, below = R * R - away * away;
     if (!(below > 0.)) return std::nullopt;
     return BasePoint{circle.y - std::sqrt(below), side * away / R, std::sqrt(below) / R};
   };
-  const Slices slices = slices_of(section, loads, arc, from, to, n_slices);
+}
+
+bool may_slip(double shear, double moment, SlipsTo slips) {
+  const double side = slips == SlipsTo::right ? 1. : -1.;
+  return !(side * shear < 0. && side * moment < 0.);
+}
+
+FigureSafety circle_safety(const GroundSection& section, const GroundLoads& loads, const SlipCircle& circle,
+                           SlipsTo slips, double from, double to, int n_slices) {
+  const double side = slips == SlipsTo::right ? 1. : -1., R = circle.radius;
+  const Slices slices = slices_of(section, loads, arc_of(circle, slips), from, to, n_slices);
   double moment = loads.strip ? loads.strip->horizontal * (circle.y - loads.strip->level) : 0.;
   for (const Slice& s : slices.list)
     moment += (s.vertical * (circle.x - s.x) + circle.y * s.horizontal - s.horizontal_moment) * s.width;

@@ -11,6 +11,13 @@ struct SlipCircle {
   double radius = 0.;     ///< m
 };
 
+/// Its lower half, as the line below ground that slips that way.
+std::function<std::optional<BasePoint>(double x)> arc_of(const SlipCircle& circle, SlipsTo slips);
+
+/// Whether what pushes the base and where its resultant stands (both landward positive) leave it open that the ground
+/// slips that way.
+bool may_slip(double shear, double moment, SlipsTo slips);
+
 /// F of the part of the section between x = from and x = to, where the circle meets the surface, with about n slices:
 /// safety_of(), where the moments about the centre drive.
 FigureSafety circle_safety(const GroundSection& section, const GroundLoads& loads, const SlipCircle& circle,
