@@ -135,6 +135,16 @@ void add_strain_and_stress(std::vector<Reading>& list, const std::string& probe,
 
 }  // namespace
 
+std::map<int, double> pressure_row(const Unknowns& unknowns, const Cell& cell, const Point<dim>& unit) {
+  std::map<int, double> row;
+  const FiniteElement<dim>& fe = cell->get_fe();
+  const Dofs dofs = dofs_of(cell);
+  for (unsigned i = 0; i < dofs.size(); ++i)
+    if (fe.system_to_component_index(i).first == phi_component)
+      unknowns.add_to(row, dofs[i], fe.shape_value_component(i, unit, phi_component));
+  return row;
+}
+
 std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
                                     const std::string& name) {
   const Probe& probe = scene.probes.at(name);

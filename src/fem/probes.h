@@ -1,6 +1,7 @@
 // Readings at points: all quantities that exist there.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@ namespace upbead {
 /// group of these readings is "probes".
 std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
                                     const std::string& name);
+
+/// Excess pore pressure at a place of a cell, coordinates in the unit cell: its factor of each unknown's velocity.
+std::map<int, double> pressure_row(const Unknowns& unknowns, const Cell& cell, const dealii::Point<dim>& unit);
 
 /// Readings of stress at a point of soil that yields; their rows give only the elastic stress.
 struct FollowedReading {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fem/compile.h"
+#include "fem/probes.h"
 #include "fem/space.h"
 #include "fem/unknowns.h"
 #include "response/reduction.h"
@@ -47,14 +48,8 @@ std::map<int, int> columns_of(const FieldBasis& basis) {
 std::vector<std::pair<int, double>> pressure_in(const Simulation& simulation, const Cell& cell, const Point<dim>& unit,
                                                 const std::map<int, int>& column) {
   std::vector<std::pair<int, double>> list;
-  const FiniteElement<dim>& fe = cell->get_fe();
-  const Dofs dofs = dofs_of(cell);
-  for (unsigned i = 0; i < dofs.size(); ++i) {
-    if (fe.system_to_component_index(i).first != phi_component) continue;
-    const double value = fe.shape_value_component(i, unit, phi_component);
-    for (const auto& [unknown, weight] : simulation.unknowns()->expansion(dofs[i]))
-      if (const auto at = column.find(unknown); at != column.end()) list.emplace_back(at->second, weight * value);
-  }
+  for (const auto& [unknown, weight] : pressure_row(*simulation.unknowns(), cell, unit))
+    if (const auto at = column.find(unknown); at != column.end()) list.emplace_back(at->second, weight);
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fem/faces.h"
+#include "fem/probes.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead {
@@ -77,19 +78,6 @@ std::vector<std::vector<Crossed>> crossed_cells(const Space& space, const std::v
   return crossed;
 }
 
-using RowOfPressure = std::map<int, double>;
-
-RowOfPressure pressure_row(const Space& space, const Unknowns& unknowns, const Cell& cell,
-                           const dealii::Point<dim>& at) {
-  const auto unit = space.mapping().transform_real_to_unit_cell(cell, at);
-  const Dofs dofs = dofs_of(cell);
-  RowOfPressure row;
-  for (unsigned i = 0; i < dofs.size(); ++i)
-    if (cell->get_fe().system_to_component_index(i).first == phi_component)
-      unknowns.add_to(row, dofs[i], cell->get_fe().shape_value_component(i, unit, phi_component));
-  return row;
-}
-
 }  // namespace
 
 UpwardPressure::UpwardPressure(const Space& space, const Unknowns& unknowns) : verticals_(verticals_of(space)) {
@@ -100,14 +88,16 @@ UpwardPressure::UpwardPressure(const Space& space, const Unknowns& unknowns) : v
     Vertical& v = verticals_[i];
     if (crossed[i].empty()) continue;
     v.cell = crossed[i].front().high - crossed[i].front().low;
-    const RowOfPressure top = pressure_row(space, unknowns, crossed[i].front().cell, {v.x, v.top});
+    const auto row_at = [&](const Cell& cell, double y) {
+      return pressure_row(unknowns, cell, space.mapping().transform_real_to_unit_cell(cell, {v.x, y}));
+    };
+    const std::map<int, double> top = row_at(crossed[i].front().cell, v.top);
     auto in = crossed[i].begin();
     for (int k = 1; k <= points_of_vertical; ++k) {
       const double share = static_cast<double>(k) / points_of_vertical;
       const double y = v.top - share * share * (v.top - crossed[i].back().low);
       while (y < in->low && in + 1 != crossed[i].end()) ++in;
-      for (const auto& [unknown, weight] : pressure_row(space, unknowns, in->cell, {v.x, y}))
-        entries.emplace_back(n, unknown, weight);
+      for (const auto& [unknown, weight] : row_at(in->cell, y)) entries.emplace_back(n, unknown, weight);
       for (const auto& [unknown, weight] : top) entries.emplace_back(n, unknown, -weight);
       v.points.push_back({v.top - y, y, in->cell->material_id(), 0., 0.});
       ++n;
