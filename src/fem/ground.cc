@@ -65,11 +65,14 @@ Ground::Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool
       interface_(with_interface ? interface_nodes(space_) : std::vector<InterfaceNode>()),
       unknowns_(space_, scene, bodies_, interface_) {}
 
-Vector Ground::displace(const Vector& weights) const {
+std::vector<Vector> Ground::displace(const std::vector<Vector>& forces) const {
   System system;
   system.field = unknowns_.field();
   assemble(scene_, space_, unknowns_, bodies_, nullptr, system);
-  return Factorisation(system.K).solve(weights);
+  const Factorisation factors(system.K);
+  std::vector<Vector> x;
+  for (const Vector& f : forces) x.push_back(factors.solve(f));
+  return x;
 }
 
 std::vector<std::array<double, dim>> Ground::moved(const Vector& x) const {
@@ -100,7 +103,7 @@ Vector Ground::normal_forces(const Vector& weights) const {
 
 WeightInWater Ground::caisson_in_water(double level) const {
   const Vector f = weights(level, true);
-  const std::size_t b = body_of_caisson();
+  const std::size_t b = caisson_body().value();
   // a unit rotation moves a point upwards by -(x - x_G)
   const double weight = -f[unknowns_.coordinate(b, motion_y)];
   return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
@@ -174,14 +177,8 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
   return f;
 }
 
-std::size_t Ground::body_of_caisson() const {
-  std::size_t b = 0;
-  while (bodies_.at(b).region != caisson_name) ++b;
-  return b;
-}
-
 Vector Ground::forces_on_caisson(const BaseForces& base) const {
-  const std::size_t b = body_of_caisson();
+  const std::size_t b = caisson_body().value();
   const Tensor<1, dim> arm = base.middle - bodies_[b].centre;
   Vector f = Vector::Zero(unknowns_.size());
   f[unknowns_.coordinate(b, motion_x)] = base.shear;
@@ -191,11 +188,11 @@ Vector Ground::forces_on_caisson(const BaseForces& base) const {
 }
 
 std::pair<Tensor<1, dim>, double> Ground::motion_of_caisson(const Vector& x, const Point<dim>& at) const {
-  const std::size_t b = body_of_caisson();
+  const auto motions = caisson_motion(x).value();
   Tensor<1, dim> moved;
   for (int motion = 0; motion < n_motions; ++motion)
-    moved += x[unknowns_.coordinate(b, motion)] * unit_motion(motion, at, bodies_[b].centre);
-  return {moved, x[unknowns_.coordinate(b, motion_rotation)]};
+    moved += motions[static_cast<std::size_t>(motion)] * unit_motion(motion, at, bodies_[*caisson_body()].centre);
+  return {moved, motions[motion_rotation]};
 }
 
 void Ground::add_still_water(Vector& f) const {
@@ -203,7 +200,7 @@ void Ground::add_still_water(Vector& f) const {
   if (!caisson) return;
   const StillWater still = still_water(scene_, *caisson);
   if (still.push == 0. && still.weight == 0.) return;
-  const std::size_t b = body_of_caisson();
+  const std::size_t b = caisson_body().value();
   const auto add = [&](Motion motion, double work) { f[unknowns_.coordinate(b, motion)] += work; };
   // a unit rotation about x_G, overturning landward, moves a point by (y - y_G, -(x - x_G))
   const double below = caisson->bottom_centre[1] - bodies_[b].centre[1];

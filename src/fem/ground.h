@@ -37,7 +37,8 @@ class Ground {
   const Space& space() const { return space_; }
   const Unknowns& unknowns() const { return unknowns_; }
   /// The elastic ground's displacements under nodal forces, and its stresses in given displacements.
-  Vector displace(const Vector& weights) const;
+  std::vector<Vector> displace(const std::vector<Vector>& forces) const;
+  Vector displace(const Vector& weights) const { return displace(std::vector<Vector>{weights}).front(); }
   EffectiveStress stress_in(const Vector& x) const { return stress(unknowns_.expand(x)); }
   EffectiveStress solve(const Vector& weights) const { return stress_in(displace(weights)); }
   /// Displacement of the vertices of the mesh; not numbers where nothing stands.
@@ -60,7 +61,7 @@ class Ground {
   std::pair<dealii::Tensor<1, dim>, double> motion_of_caisson(const Vector& x, const dealii::Point<dim>& at) const;
 
  private:
-  std::optional<std::size_t> caisson_body() const;
+  std::optional<std::size_t> caisson_body() const;  ///< none where no rigid one stands
   bool is_of_caisson(const Cell& cell) const { return space_.mesh().surface_of(cell) == caisson_name; }
   /// Calls visit(cell, degree of freedom, work of the cell's weight in its unit motion).
   void each_work(double level, bool of_caisson_alone,
@@ -68,7 +69,6 @@ class Ground {
   double work_of(const dealii::FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const;
   /// Adds what still water at two levels does to a rigid caisson.
   void add_still_water(Vector& f) const;
-  std::size_t body_of_caisson() const;
   double density(const Cell& cell) const;
   EffectiveStress stress(const Vector& values) const;
 

@@ -3,11 +3,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "algebra/factorisation.h"
-#include "fem/assembly.h"
 #include "fem/caisson/caisson.h"
 #include "fem/ground.h"
 #include "fem/kernels.h"
@@ -54,21 +51,13 @@ std::vector<std::optional<SettledBody>> settled_caisson(const Scene& scene, cons
   const Scene rest = at_rest(scene);
   const Ground ground(rest, mesh, soil);
   const std::optional<Caisson> caisson = find_caisson(ground.space());
-  const std::vector<Body> bodies = rigid_bodies(ground.space());
-  const auto body = std::find_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.region == caisson_name; });
-  if (!caisson || body == bodies.end()) return found;
-  System system;
-  system.field = ground.unknowns().field();
-  assemble(rest, ground.space(), ground.unknowns(), bodies, nullptr, system);
-  const Factorisation factors(system.K);
-  const auto b = static_cast<std::size_t>(body - bodies.begin());
-  for (std::size_t i = 0; i < strains.size(); ++i) {
-    const Vector x = factors.solve(forces_of(ground, strains[i]));
-    const double rotation = x[ground.unknowns().coordinate(b, motion_rotation)];
-    // a unit rotation moves a point upwards by -(x - x_G)
-    const double up =
-        x[ground.unknowns().coordinate(b, motion_y)] - rotation * (caisson->bottom_centre[0] - body->centre[0]);
-    found[i] = SettledBody{-up, rotation};
+  if (!caisson) return found;
+  std::vector<Vector> forces;
+  for (const std::vector<double>& strain : strains) forces.push_back(forces_of(ground, strain));
+  const std::vector<Vector> x = ground.displace(forces);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto [moved, rotation] = ground.motion_of_caisson(x[i], caisson->bottom_centre);
+    found[i] = SettledBody{-moved[1], rotation};
   }
   return found;
 }
