@@ -13,23 +13,13 @@
 #include "findings/ground_section.h"
 #include "response/reduction.h"
 #include "rupture/fixed_circle.h"
-#include "scenes.h"
+#include "strong_breakwater.h"
 
 namespace upbead::test {
 namespace circle_model_test {
 
-Scene strong(double peak) {
-  Scene scene = breakwater(triangle(peak, 0.2));
-  scene.initial.emplace().water_level = 6.;
-  scene.regions["seabed"].strength = Strength{35., 0.};
-  scene.regions["mound"].strength = Strength{40., 20e3};
-  scene.time.end = 0.6;
-  scene.time.scheme = TimeScheme::reduced;
-  return scene;
-}
-
 struct Made {
-  explicit Made(double peak) : simulation(strong(peak), breakwater_mesh(0.5)) {
+  explicit Made(double peak) : simulation(strong_breakwater(peak), breakwater_mesh(0.5)) {
     ReductionTargets targets{true, true, {}};
     targets.pressures = true;
     reduction = reduce_scene(simulation.scene(), *simulation.compiled(), targets);
@@ -46,7 +36,7 @@ const Made& made() {
 }
 
 SlipCircles circles_of_run(double peak) {
-  return *Simulation(strong(peak), breakwater_mesh(0.5)).run().summary.circles;
+  return *Simulation(strong_breakwater(peak), breakwater_mesh(0.5)).run().summary.circles;
 }
 
 /// F of a run's circle by readings of the reduced model at its moment.
@@ -88,7 +78,7 @@ TEST(CircleModel, IsAsNearToAFullSearchAsItSays) {
 }
 
 TEST(CircleModel, NeedsAStrength) {
-  Scene scene = strong(1e5);
+  Scene scene = strong_breakwater(1e5);
   for (const char* region : {"seabed", "mound"}) scene.regions[region].strength.reset();
   const Simulation simulation(scene, breakwater_mesh(0.5));
   const CircleModelMade none = circle_model(simulation, made().reduction);

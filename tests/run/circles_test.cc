@@ -11,20 +11,10 @@
 #include "findings/find.h"
 #include "findings/ground_section.h"
 #include "rupture/circle_search.h"
-#include "scenes.h"
+#include "strong_breakwater.h"
 
 namespace upbead::test {
 namespace circles_test {
-
-Scene strong_scene(double peak) {
-  Scene scene = breakwater(triangle(peak, 0.2));
-  scene.initial.emplace().water_level = 6.;
-  scene.regions["seabed"].strength = Strength{35., 0.};
-  scene.regions["mound"].strength = Strength{40., 20e3};
-  scene.time.end = 0.6;
-  scene.time.scheme = TimeScheme::reduced;
-  return scene;
-}
 
 Simulation simulation_of(const Scene& scene) {
   return Simulation(scene, breakwater_mesh(0.5));
@@ -32,7 +22,7 @@ Simulation simulation_of(const Scene& scene) {
 
 const Summary& summary_of(double peak) {
   static std::map<double, Summary> made;
-  if (!made.count(peak)) made[peak] = simulation_of(strong_scene(peak)).run().summary;
+  if (!made.count(peak)) made[peak] = simulation_of(strong_breakwater(peak)).run().summary;
   return made[peak];
 }
 
@@ -48,7 +38,7 @@ const Check* check_named(const Summary& summary, const std::string& name) {
 }
 
 TEST(Circles, AreOfTheSectionOfTheMesh) {
-  const Simulation simulation = simulation_of(strong_scene(1e5));
+  const Simulation simulation = simulation_of(strong_breakwater(1e5));
   const GroundSection section = ground_section(simulation);
   const Mesh& mesh = *simulation.mesh();
   double area = 0., weight = 0.;
@@ -90,7 +80,7 @@ TEST(Circles, GovernByTheLeast) {
 }
 
 TEST(Circles, AgreeWithTheCircleByItself) {
-  const Simulation simulation = simulation_of(strong_scene(1e5));
+  const Simulation simulation = simulation_of(strong_breakwater(1e5));
   for (const SlipCircleFound& c : {*summary_of(1e5).circles->still, *summary_of(1e5).circles->at_rest}) {
     GroundLoads loads;
     const double q = c.force / (c.strip_to - c.strip_from);
@@ -125,7 +115,7 @@ TEST(Circles, AreFollowedOverTime) {
 /// Bishop's sum over the slices that are told, with the strengths of the regions at their bases.
 TEST(Circles, HaveTheSlicesOfTheirFactor) {
   const SlipCircles& c = *summary_of(1e5).circles;
-  const GroundSection section = ground_section(simulation_of(strong_scene(1e5)));
+  const GroundSection section = ground_section(simulation_of(strong_breakwater(1e5)));
   const SlipCircleSlices& s = c.slices;
   double sum = 0.;
   for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -141,7 +131,7 @@ TEST(Circles, HaveTheSlicesOfTheirFactor) {
 }
 
 TEST(Circles, OfASlowLoadAreThoseWithoutMotion) {
-  Scene scene = strong_scene(1e5);
+  Scene scene = strong_breakwater(1e5);
   scene.loads["impulse"].history = triangle(1e5, 20.);
   scene.time.end = 20.;
   const SlipCircles c = *simulation_of(scene).run().summary.circles;
@@ -153,7 +143,7 @@ TEST(Circles, OfASlowLoadAreThoseWithoutMotion) {
 }
 
 TEST(Circles, BearASurchargeWhereItLies) {
-  Scene scene = strong_scene(1e5);
+  Scene scene = strong_breakwater(1e5);
   const auto factor = [&](double from, double to) {
     scene.initial->surcharge["armour"] = {"mound_surface", 30e3, from, to};
     return simulation_of(scene).run().summary.circles->at_rest->factor;
@@ -170,7 +160,7 @@ TEST(Circles, AreLessSafeUnderALargerLoadAndAsSafeAtRest) {
 }
 
 TEST(Circles, AreJudgedByTheirLimit) {
-  const Simulation simulation = simulation_of(strong_scene(1e5));
+  const Simulation simulation = simulation_of(strong_breakwater(1e5));
   Summary s = summary_of(1e5);
   Scene scene = simulation.scene();
   scene.limits.circles = 0.9 * s.circles->governs->factor;
@@ -187,7 +177,7 @@ TEST(Circles, AreJudgedByTheirLimit) {
 }
 
 TEST(Circles, AreNotLookedForWithoutStrength) {
-  Scene scene = strong_scene(1e5);
+  Scene scene = strong_breakwater(1e5);
   for (const char* region : {"seabed", "mound"}) scene.regions[region].strength.reset();
   scene.limits.circles = 1.;
   const Summary s = simulation_of(scene).run().summary;
@@ -199,7 +189,7 @@ TEST(Circles, AreNotLookedForWithoutStrength) {
 }
 
 TEST(Circles, CutNoRegionWithoutStrength) {
-  Scene scene = strong_scene(1e5);
+  Scene scene = strong_breakwater(1e5);
   scene.regions["seabed"].strength.reset();
   const Summary s = simulation_of(scene).run().summary;
   ASSERT_TRUE(s.circles && s.circles->governs);
@@ -208,7 +198,7 @@ TEST(Circles, CutNoRegionWithoutStrength) {
 }
 
 TEST(Circles, WarnOfAFactorBelowOne) {
-  Scene scene = strong_scene(1e5);
+  Scene scene = strong_breakwater(1e5);
   scene.regions["seabed"].strength = Strength{5., 0.};
   scene.regions["mound"].strength = Strength{10., 0.};
   const Summary s = simulation_of(scene).run().summary;

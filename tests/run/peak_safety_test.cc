@@ -8,19 +8,15 @@
 #include <map>
 
 #include "findings/find.h"
-#include "scenes.h"
+#include "strong_breakwater.h"
 
 namespace upbead::test {
 namespace peak_safety_test {
 
 /// Sand and rubble; or clay under the sand's strength, with nothing but cohesion.
 Scene asked_scene(double peak, bool clay) {
-  Scene scene = breakwater(triangle(peak, 0.2));
-  scene.initial.emplace().water_level = 6.;
-  scene.regions["seabed"].strength = clay ? Strength{0., 120e3, 0., 0.} : Strength{35., 0.};
-  scene.regions["mound"].strength = Strength{40., 20e3};
-  scene.time.end = 0.6;
-  scene.time.scheme = TimeScheme::reduced;
+  Scene scene = strong_breakwater(peak);
+  if (clay) scene.regions["seabed"].strength = Strength{0., 120e3, 0., 0.};
   scene.limits.peak_safety = 1.;
   return scene;
 }
