@@ -15,15 +15,20 @@ Eigen::VectorXcd laplace_transform(const SampledLoads& loads, std::complex<doubl
   return F;
 }
 
-Eigen::VectorXcd frequency_response(const SecondOrderKrylov& krylov, const ReducedSystem& reduced,
-                                    std::complex<double> s, const Eigen::VectorXcd& F) {
+Eigen::MatrixXcd coordinates_at(const ReducedSystem& reduced, std::complex<double> s, const Eigen::MatrixXcd& F) {
   const Eigen::Index p = reduced.n_prescribed, n = reduced.size() - p;
   const Eigen::MatrixXcd A = s * s * reduced.M + s * reduced.C + reduced.K;
-  Eigen::VectorXcd q = Eigen::VectorXcd::Zero(p + n);
+  Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(p + n, F.cols());
   for (std::size_t k = 0; k < reduced.prescribed.size(); ++k)
-    if (reduced.prescribed[k] >= 0) q[reduced.prescribed[k]] += F[k] / s;
-  const Eigen::VectorXcd b = reduced.load * F - A.leftCols(p) * q.head(p);
-  q.tail(n) = A.bottomRightCorner(n, n).partialPivLu().solve(b.tail(n));
+    if (reduced.prescribed[k] >= 0) q.row(reduced.prescribed[k]) += F.row(static_cast<Eigen::Index>(k)) / s;
+  const Eigen::MatrixXcd b = reduced.load * F - A.leftCols(p) * q.topRows(p);
+  q.bottomRows(n) = A.bottomRightCorner(n, n).partialPivLu().solve(b.bottomRows(n));
+  return q;
+}
+
+Eigen::VectorXcd frequency_response(const SecondOrderKrylov& krylov, const ReducedSystem& reduced,
+                                    std::complex<double> s, const Eigen::VectorXcd& F) {
+  const Eigen::VectorXcd q = coordinates_at(reduced, s, F);
   Eigen::VectorXcd x = Eigen::VectorXcd::Zero(krylov.displacements().unknown.size() + krylov.phi().unknown.size());
   for (const FieldBasis* basis : {&krylov.displacements(), &krylov.phi()}) {
     const Eigen::VectorXcd values = basis->columns() * q(basis->coordinate);

@@ -44,6 +44,29 @@ Vector norm_weight(const SparseMatrix& T, const System& system) {
 
 }  // namespace
 
+FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact) {
+  constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
+  const Vector weight = norm_weight(T, system);
+  FieldBases bases;
+  for (int i = 0; i < system.size(); ++i)
+    (is_phi(system, i) ? bases.phi : bases.displacements).unknown.push_back(i);
+  for (FieldBasis* basis : {&bases.displacements, &bases.phi}) {
+    basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
+    for (std::size_t i = 0; i < basis->unknown.size(); ++i)
+      if (basis->unknown[i] >= system.n_free()) basis->unit[i] = 1.;
+    basis->vectors.resize(basis->unit.size(), room);
+  }
+  int n_coordinates = 0;
+  const auto keep = [&](int unknown) {
+    FieldBasis& basis = is_phi(system, unknown) ? bases.phi : bases.displacements;
+    const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
+    add_column(basis, Vector::Unit(basis.unit.size(), local), n_coordinates++);
+  };
+  for (int i = system.n_free(); i < system.size(); ++i) keep(i);
+  for (const int i : exact) keep(i);
+  return bases;
+}
+
 SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact,
                                      const std::vector<Vector>& kept)
     : n_unknowns_(system.size()), shift_(shift) {
@@ -51,7 +74,11 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
   products_ = std::make_unique<detail::SymmetricPair>(2. * shift * shift * system.M + shift * system.C,
                                                       shift * shift * system.M);
   const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
-  make_bases(system, T, exact, kept);
+  FieldBases bases = exact_bases(system, T, exact);
+  u_ = std::move(bases.displacements);
+  phi_ = std::move(bases.phi);
+  n_coordinates_ = static_cast<int>(u_.n() + phi_.n());
+  for (const Vector& direction : kept) take(direction);
   const Stopwatch watch;
   T_ = std::make_unique<detail::EffectiveMatrix>(system, T);
   factorise_seconds_ = watch.seconds();
@@ -59,27 +86,6 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
 }
 
 SecondOrderKrylov::~SecondOrderKrylov() = default;
-
-void SecondOrderKrylov::make_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact,
-                                   const std::vector<Vector>& kept) {
-  constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
-  const Vector weight = norm_weight(T, system);
-  for (int i = 0; i < system.size(); ++i) (is_phi(system, i) ? phi_ : u_).unknown.push_back(i);
-  for (FieldBasis* basis : {&u_, &phi_}) {
-    basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
-    for (std::size_t i = 0; i < basis->unknown.size(); ++i)
-      if (basis->unknown[i] >= system.n_free()) basis->unit[i] = 1.;
-    basis->vectors.resize(basis->unit.size(), room);
-  }
-  const auto keep = [&](int unknown) {
-    FieldBasis& basis = is_phi(system, unknown) ? phi_ : u_;
-    const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
-    add_column(basis, Vector::Unit(basis.unit.size(), local), n_coordinates_++);
-  };
-  for (int i = system.n_free(); i < system.size(); ++i) keep(i);
-  for (const int i : exact) keep(i);
-  for (const Vector& direction : kept) take(direction);
-}
 
 void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {
   T_->solve(rhs, x);

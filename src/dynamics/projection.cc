@@ -118,6 +118,7 @@ void Projection::project(Group& group) {
   const std::vector<int>& coordinate = group.basis.coordinate;
   const Columns added = group.basis.columns_from(group.n_projected);
   const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
+    if (A.nonZeros() == 0) return;
     const Eigen::MatrixXd gram = gram_of(group.basis.columns(), A * added);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {

@@ -154,7 +154,7 @@ class Assembly {
 
 /// Assembles own cells; for `forces` also the cells that touch the caisson, whoever owns them.
 void assemble_cells(const Scene& scene, const Space& space, CaissonForces* forces,
-                    const std::function<bool(unsigned)>& is_own, Assembly& assembly) {
+                    const std::function<bool(unsigned)>& is_own, bool own_forces, Assembly& assembly) {
   const hp::QCollection<dim> quadrature(QGauss<dim>(static_cast<unsigned>(space.degree()) + 1));
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), quadrature,
                               update_values | update_gradients | update_JxW_values);
@@ -164,7 +164,7 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
     const Dofs dofs = dofs_of(cell);
     const bool own = is_own(cell->active_cell_index());
     const bool ground = forces && space.mesh().surface_of(cell) != caisson_name && forces->ground.has_any(dofs);
-    if (!own && !ground) continue;
+    if (!own && (own_forces || !ground)) continue;
     hp_values.reinit(cell);
     assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell), scene.time.inertia,
                   cell_matrices);
@@ -177,15 +177,17 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
 struct VisitFaces {
   VisitFace add, add_absorbing;
   std::function<void(const WetFace&, const FaceTerms&)> see_wet;
+  bool materials_alone = false;
 };
 
 void for_each_face(const Scene& scene, const Space& space, const Unknowns& unknowns,
                    const std::vector<InterfaceNode>& interface, const VisitFaces& visit) {
   for_each_open_face(scene, space, unknowns, visit.add);
-  for_each_surface_face(scene, space, visit.add);
-  for_each_sprung_face(scene, space, visit.add);
   for_each_absorbing_face(scene, space,
                           [&](const Cell&, const std::string&, const FaceTerms& terms) { visit.add_absorbing(terms); });
+  if (visit.materials_alone) return;
+  for_each_surface_face(scene, space, visit.add);
+  for_each_sprung_face(scene, space, visit.add);
   if (!interface.empty()) for_each_gap_term(space, unknowns, interface, visit.add);
   for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
     visit.add(terms);
@@ -196,30 +198,31 @@ void for_each_face(const Scene& scene, const Space& space, const Unknowns& unkno
 }  // namespace
 
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies,
+              CaissonForces* forces, System& system, const AssemblyShare& share,
               const std::vector<InterfaceNode>& interface) {
   Assembly assembly(unknowns);
-  const auto is_own = [&](unsigned cell) { return own.empty() || own[cell]; };
+  const auto is_own = [&](unsigned cell) { return share.cells.empty() || share.cells[cell]; };
   const auto if_own = [&](auto&& action) {
     return [&is_own, action](const FaceTerms& terms) {
       if (is_own(terms.cell)) action(terms);
     };
   };
-  const bool adds_bodies = scene.time.inertia && with_bodies;
+  const bool adds_bodies = scene.time.inertia && share.bodies;
   const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
   for (const auto& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && is_own(cell->active_cell_index())) assembly.expect(dofs_of(cell));
-  for_each_face(scene, space, unknowns, interface, {expect, expect, [](const WetFace&, const FaceTerms&) {}});
+  for_each_face(scene, space, unknowns, interface, {expect, expect, [](const WetFace&, const FaceTerms&) {}, share.materials_alone});
   if (adds_bodies) assembly.expect(bodies);
 
   assembly.begin();
-  assemble_cells(scene, space, forces, is_own, assembly);
+  assemble_cells(scene, space, forces, is_own, share.materials_alone, assembly);
   for_each_face(scene, space, unknowns, interface,
                 {if_own([&](const FaceTerms& terms) { assembly.add(terms); }),
                  if_own([&](const FaceTerms& terms) { assembly.add_absorbing(terms); }),
                  [&](const WetFace& face, const FaceTerms& terms) {
                    if (forces) forces->add(face, space, terms);
-                 }});
+                 },
+                 share.materials_alone});
   if (adds_bodies) assembly.add(bodies);
   assembly.write(system);
 }

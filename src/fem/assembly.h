@@ -12,12 +12,19 @@
 
 namespace upbead {
 
+/// What of a scene is assembled.
+struct AssemblyShare {
+  std::vector<bool> cells;  ///< by active cell index, these cells and their faces; empty: all
+  bool bodies = true;       ///< and the rigid bodies
+  /// Only what constants of these cells' materials multiply: the cells, and sides through which they drain or send
+  /// waves; and of the forces at the caisson only these cells' own. Else the forces are of all cells and faces.
+  bool materials_alone = false;
+};
+
 /// Fills M, C, K and the radiation of `system`; `forces`, where given, collects the forces of ground and water at the
-/// caisson's nodes. With `own`, by active cell index, the matrices hold only the parts of these cells, their faces,
-/// and of the bodies if `with_bodies`; `forces` collects the parts of all cells. `interface`: the nodes that
-/// `unknowns` was made with.
+/// caisson's nodes. `interface`: the nodes that `unknowns` was made with.
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true,
+              CaissonForces* forces, System& system, const AssemblyShare& share = {},
               const std::vector<InterfaceNode>& interface = {});
 
 /// By active cell index, whether a cell is this process's own. Divided by METIS: equal numbers of degrees of freedom,

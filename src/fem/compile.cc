@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fem/assembly.h"
 #include "fem/caisson/readings.h"
 #include "fem/probes.h"
 #include "fem/system_scene.h"
@@ -10,6 +9,10 @@
 namespace upbead {
 
 namespace {
+
+AssemblyShare share_of(const Space& space, const Processes* processes) {
+  return processes ? AssemblyShare{own_cells(space, *processes), processes->rank() == 0} : AssemblyShare();
+}
 
 Interface interface_of(const std::vector<InterfaceNode>& nodes) {
   Interface interface;
@@ -28,7 +31,7 @@ bool is_deformable(const std::vector<Body>& bodies) {
 }  // namespace
 
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const Processes* processes, const std::vector<InterfaceNode>& interface) {
+                      const AssemblyShare& share, const std::vector<InterfaceNode>& interface, bool whole) {
   CompiledScene compiled;
   compiled.bodies = bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -44,15 +47,13 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   const std::vector<InterfaceNode> bottom =
       compiled.caisson && scene.base_stress ? interface_nodes(space) : std::vector<InterfaceNode>();
   if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson, bottom);
-  const bool with_bodies = !processes || processes->rank() == 0;
-  assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system,
-           processes ? own_cells(space, *processes) : std::vector<bool>(), with_bodies, interface);
+  assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system, share, interface);
 
   SceneLoads loads =
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
-    if (!processes && is_deformable(bodies))
+    if (whole && is_deformable(bodies))
       compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
@@ -87,7 +88,7 @@ AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::v
   const std::vector<Body> bodies = rigid_bodies(*space);
   const auto nodes = with_interface ? interface_nodes(*space) : std::vector<InterfaceNode>();
   const auto unknowns = std::make_shared<const Unknowns>(*space, part, bodies, nodes);
-  CompiledScene compiled = compile(part, *space, *unknowns, bodies, processes, nodes);
+  CompiledScene compiled = compile(part, *space, *unknowns, bodies, share_of(*space, processes), nodes, !processes);
   return {space, unknowns, std::make_shared<const CompiledScene>(with_courses(std::move(compiled), scene))};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fem/assembly.h"
 #include "fem/caisson/caisson.h"
 #include "fem/scene_loads.h"
 #include "fem/space.h"
@@ -27,12 +28,12 @@ struct CompiledScene {
   std::vector<std::string> load_of;             ///< per system load: the name of the scene's load
 };
 
-/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With
-/// `processes` the matrices are those of this process's cells (own_cells), and the system must still be divided. With
-/// the nodes of an interface, which `unknowns` must have been made with, the system has that interface, without
-/// friction or forces at rest.
+/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. `share`: of
+/// what the matrices are; `whole`: of all cells, else the system must still be divided. With the nodes of an interface,
+/// which `unknowns` must have been made with, the system has that interface, without friction or forces at rest.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
+                      const AssemblyShare& share = {}, const std::vector<InterfaceNode>& interface = {},
+                      bool whole = true);
 
 /// The same, its loads in the course that a scene gives them which differs in nothing else of system_scene.h.
 CompiledScene with_courses(CompiledScene compiled, const Scene& scene);

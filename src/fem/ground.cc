@@ -92,7 +92,7 @@ std::vector<std::array<double, dim>> Ground::moved(const Vector& x) const {
 Vector Ground::normal_forces(const Vector& weights) const {
   System system;
   system.field = unknowns_.field();
-  assemble(scene_, space_, unknowns_, bodies_, nullptr, system, {}, true, interface_);
+  assemble(scene_, space_, unknowns_, bodies_, nullptr, system, {}, interface_);
   const int n = unknowns_.n_free(), nodes = static_cast<int>(interface_.size());
   const SparseMatrix rows = system.K.topRows(n);
   const SparseMatrix K = rows.leftCols(n);

@@ -123,7 +123,7 @@ void pp_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
 
 /// pp_C, darcy: -(1/b) grad dphi . grad phi
 void pp_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  add_square(part_dofs(fe, phi_part), -1. / material.b, gradients_of_phi(fe), cell.C);
+  add_square(part_dofs(fe, phi_part), -material.mobility, gradients_of_phi(fe), cell.C);
 }
 
 /// pp_K, water: -(1/rho_f) grad dphi . grad phi

@@ -152,7 +152,7 @@ void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& 
       for (const Prescribed& load : prescribed) unknowns_here.push_back(load.unknown);
       terms.reinit({cell}, unknowns_here);
       const bool inertial = space.kind(cell) == CellKind::inertial;
-      const double mobility = 1. / space.material(cell).b;
+      const double mobility = space.material(cell).mobility;
       integrate(FaceValues(space, cell, f), inertial, mobility, penalty_over_h, prescribed, terms.matrices.C);
       visit(terms);
     }

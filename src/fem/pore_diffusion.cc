@@ -119,7 +119,7 @@ class FlowAssembly {
         if (weight == 1.) to_nodes_.emplace_back(node, c, 1.);
       }
     }
-    add_conductance(rows, 1. / m.b);
+    add_conductance(rows, m.mobility);
   }
 
   void add_conductance(const std::vector<NodeRow>& rows, double mobility) {

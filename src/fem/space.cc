@@ -9,13 +9,13 @@ namespace upbead {
 
 using namespace dealii;
 
-namespace {
-
 CellKind kind_of(const Region& region) {
   if (region.kind == RegionKind::water) return CellKind::water;
   if (region.kind != RegionKind::porous || region.flow == Flow::drained) return CellKind::solid;
   return region.flow == Flow::inertial ? CellKind::inertial : CellKind::darcy;
 }
+
+namespace {
 
 hp::FECollection<dim> make_elements(unsigned k) {
   const FE_Q<dim> u(k), phi(k - 1);
@@ -43,9 +43,7 @@ Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
 Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent, const SoilState& soil)
     : mesh_(&mesh),
       degree_(scene.mesh.degree),
-      by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()),
-      elements_(make_elements(static_cast<unsigned>(scene.mesh.degree))),
-      dofs_(mesh.triangulation) {
+      by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()) {
   const auto constants = [&scene](const Region& r) { return upbead::material(r, scene.fluid, scene.gravity); };
   for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   if (by_cell_)
@@ -53,10 +51,27 @@ Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& abse
       materials_.push_back(constants(in_cell(region(cell), soil, cell->active_cell_index())));
   else
     for (const Region& region : regions_) materials_.push_back(constants(region));
-  for (const auto& cell : dofs_.active_cell_iterators())
+  const auto dofs = std::make_shared<DoFHandler<dim>>(mesh.triangulation);
+  for (const auto& cell : dofs->active_cell_iterators())
     cell->set_active_fe_index(static_cast<unsigned>(
         !absent.empty() && absent[cell->active_cell_index()] ? CellKind::absent : kind_of(region(cell))));
-  dofs_.distribute_dofs(elements_);
+  dofs->distribute_dofs(make_elements(static_cast<unsigned>(scene.mesh.degree)));
+  dofs_ = dofs;
+}
+
+Space Space::with(const std::vector<RegionConstants>& constants) const {
+  Space other = *this;
+  other.by_cell_ = false;
+  other.constants_ = constants;
+  other.materials_.clear();
+  for (const RegionConstants& of_region : constants) other.materials_.push_back(of_region.material);
+  return other;
+}
+
+Impedance Space::impedance(const Cell& cell, bool open) const {
+  if (constants_.empty()) return upbead::impedance(material(cell), kind(cell), open);
+  const RegionConstants& constants = constants_[cell->material_id()];
+  return open ? constants.open : constants.sealed;
 }
 
 Dofs dofs_of(const Cell& cell) {

@@ -7,9 +7,12 @@
 #include <deal.II/hp/fe_collection.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "fem/cell_kind.h"
+#include "fem/impedance.h"
 #include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/model/scene.h"
@@ -28,8 +31,11 @@ using Dofs = std::vector<dealii::types::global_dof_index>;
 /// All degrees of freedom of a cell, in its own order.
 Dofs dofs_of(const Cell& cell);
 
-/// The fields on a cell; also its index into the collection of elements.
-enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, absent = 4 };
+/// The constants of one region's terms: of its cells, and of sides that let waves out of them.
+struct RegionConstants {
+  Material material;
+  Impedance sealed, open;  ///< see impedance(): of sides whose pores are sealed, and of those that absorb pressure too
+};
 
 /// u in Q(k) where something moves, phi in Q(k-1) where there is pore water and in Q(k) in free water, W in DGQ(k-1)
 /// where the pore water has inertia; absent fields are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
@@ -41,8 +47,11 @@ class Space {
   /// mesh must outlive the space.
   Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {}, const SoilState& soil = {});
 
+  /// The same unknowns with other constants, one set for each surface of the mesh.
+  Space with(const std::vector<RegionConstants>& constants) const;
+
   const Mesh& mesh() const { return *mesh_; }
-  const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
+  const dealii::DoFHandler<dim>& dofs() const { return *dofs_; }
   const dealii::MappingQ1<dim>& mapping() const { return mapping_; }
   int degree() const { return degree_; }
   using MeshCell = dealii::Triangulation<dim>::cell_iterator;
@@ -51,6 +60,8 @@ class Space {
   const Material& material(const MeshCell& cell) const {
     return materials_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
   }
+  /// Of a side of that cell; `open`: it absorbs pressure, too.
+  Impedance impedance(const Cell& cell, bool open) const;
   CellKind kind(const Cell& cell) const { return static_cast<CellKind>(cell->active_fe_index()); }
   /// Whether the cell has matrices of its own: neither absent nor part of a rigid body.
   bool has_matrices(const Cell& cell) const {
@@ -67,9 +78,9 @@ class Space {
   std::vector<Region> regions_;      ///< by material_id
   std::vector<Material> materials_;  ///< by material_id; by active cell index where soil differs by cell
   bool by_cell_;
+  std::vector<RegionConstants> constants_;  ///< by material_id, where they are given; else made of the materials
   dealii::MappingQ1<dim> mapping_;
-  dealii::hp::FECollection<dim> elements_;
-  dealii::DoFHandler<dim> dofs_;
+  std::shared_ptr<const dealii::DoFHandler<dim>> dofs_;
 };
 
 /// The component of a cell's i-th degree of freedom, and the point of its node.

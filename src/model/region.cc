@@ -268,6 +268,7 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
   m.rho_f = fluid.density;
   m.a = region.tortuosity * fluid.density / n;
   if (const auto k = conductivity(region, fluid, gravity)) m.b = fluid.density * gravity / *k;
+  m.mobility = 1. / m.b;
   m.alpha = region.biot;
   m.storage = n / region.pore_fluid_modulus.value_or(fluid.bulk_modulus) + (m.alpha - n) / region.grain_bulk_modulus;
   return m;

@@ -25,6 +25,14 @@ struct FieldBasis {
   auto columns_from(Eigen::Index first) const { return vectors.middleCols(first, n() - first); }
 };
 
+/// Bases of both kinds.
+struct FieldBases {
+  FieldBasis displacements, phi;
+};
+
+/// Bases of the prescribed unknowns, then of `exact` ones, in units in which all kinds count alike; T = T(s_0), below.
+FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact);
+
 /// Block second-order Krylov space of a System about a real shift s_0 > 0 [Bai and Su 2005]. With
 /// T(s) = s^2 M + s C + K and tau = (s - s_0)/s_0 the response X(s) = T(s)^-1 b is a power series in tau, whose
 /// coefficients r_j obey
@@ -60,8 +68,6 @@ class SecondOrderKrylov {
   double factorise_seconds() const { return factorise_seconds_; }
 
  private:
-  void make_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact,
-                  const std::vector<Vector>& kept);
   void start(const System& system);
   /// Coordinates of x in both bases; first adds to the bases the part of x that they do not span.
   Vector take(const Vector& x);

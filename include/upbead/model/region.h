@@ -186,6 +186,7 @@ struct Material : ElasticLaw {
   double rho_f = 0.;                                 ///< fluid density (kg/m3)
   double a = 0.;                                     ///< tortuosity rho_f / n (kg/m3)
   double b = 0.;                                     ///< rho_f g / k (Pa s/m2)
+  double mobility = 0.;                              ///< 1/b (m2/(Pa s)); infinite where no k is given
   double alpha = 0.;                                 ///< Biot's coefficient
   double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s; of water 1/K_f (1/Pa)
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)

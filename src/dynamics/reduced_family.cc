@@ -1,0 +1,125 @@
+#include "dynamics/reduced_family.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "algebra/dense.h"
+
+namespace upbead {
+
+namespace {
+
+/// Calls visit(matrix of one, of other) for all that a family sums.
+template <class One, class Other, class Visit>
+void for_each_summed(One& one, Other& other, const Visit& visit) {
+  visit(one.M, other.M);
+  visit(one.C, other.C);
+  visit(one.K, other.K);
+  visit(one.position, other.position);
+  visit(one.velocity, other.velocity);
+  visit(one.acceleration, other.acceleration);
+}
+
+/// Of the coordinates of `member`, those that remain.
+ReducedSystem selected(const ReducedSystem& member, const std::vector<int>& coordinates) {
+  ReducedSystem out = member;
+  for (Eigen::MatrixXd* A : {&out.M, &out.C, &out.K}) *A = (*A)(coordinates, coordinates).eval();
+  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
+    *rows = (*rows)(Eigen::all, coordinates).eval();
+  out.load = out.load(coordinates, Eigen::all).eval();
+  out.is_phi.clear();
+  for (const int i : coordinates) out.is_phi.push_back(member.is_phi[static_cast<std::size_t>(i)]);
+  return out;
+}
+
+/// `order[i]` is the coordinate of unknown i.
+SparseMatrix dense_pattern(const Eigen::MatrixXd& A, const std::vector<int>& order) {
+  return Eigen::MatrixXd(A(order, order)).sparseView(0., 0.);
+}
+
+Row row_of(const Eigen::MatrixXd& rows, Eigen::Index i, const std::vector<int>& order) {
+  Row row;
+  for (std::size_t j = 0; j < order.size(); ++j)
+    if (const double weight = rows(i, order[j]); weight != 0.) row.emplace_back(static_cast<int>(j), weight);
+  return row;
+}
+
+}  // namespace
+
+ReducedSystem ReducedFamily::at(const std::vector<double>& factors) const {
+  if (factors.size() != parts.size()) throw std::invalid_argument("a sum of systems needs a factor for each part");
+  ReducedSystem member = fixed;
+  for (std::size_t q = 0; q < parts.size(); ++q)
+    for_each_summed(member, parts[q], [&](Eigen::MatrixXd& sum, const Eigen::MatrixXd& part) {
+      if (part.size() > 0) sum += factors[q] * part;
+    });
+  return member;
+}
+
+ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotation) {
+  ReducedSystem out = member;
+  for (Eigen::MatrixXd* A : {&out.M, &out.C, &out.K})
+    if (A->size() > 0) *A = transposed_product(rotation, product(*A, rotation));
+  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
+    if (rows->size() > 0) *rows = product(*rows, rotation);
+  out.load = transposed_product(rotation, member.load);
+  out.is_phi.assign(static_cast<std::size_t>(rotation.cols()), false);
+  for (Eigen::Index j = 0; j < rotation.cols(); ++j) {
+    Eigen::Index largest = 0;
+    rotation.col(j).cwiseAbs().maxCoeff(&largest);
+    out.is_phi[static_cast<std::size_t>(j)] = member.is_phi[static_cast<std::size_t>(largest)];
+  }
+  return out;
+}
+
+ReducedFamily rotated(const ReducedFamily& family, const Eigen::MatrixXd& rotation) {
+  ReducedFamily out{rotated(family.fixed, rotation), {}, family.n_kept};
+  for (const ReducedSystem& part : family.parts) out.parts.push_back(rotated(part, rotation));
+  return out;
+}
+
+ReducedSystem leading(const ReducedSystem& member, int n_kept, double share) {
+  int of_kind[2] = {0, 0}, taken[2] = {0, 0};
+  for (int i = n_kept; i < member.size(); ++i) ++of_kind[member.is_phi[static_cast<std::size_t>(i)] ? 1 : 0];
+  std::vector<int> remaining;
+  for (int i = 0; i < member.size(); ++i) {
+    const int kind = member.is_phi[static_cast<std::size_t>(i)] ? 1 : 0;
+    if (i < n_kept || taken[kind]++ < static_cast<int>(std::ceil(share * of_kind[kind]))) remaining.push_back(i);
+  }
+  return selected(member, remaining);
+}
+
+int unknown_of(const ReducedSystem& member, int coordinate) {
+  const int p = member.n_prescribed;
+  return coordinate < p ? member.size() - p + coordinate : coordinate - p;
+}
+
+System as_system(const ReducedSystem& member, const System& of) {
+  std::vector<int> order(static_cast<std::size_t>(member.size()));
+  for (int i = 0; i < member.size(); ++i) order[static_cast<std::size_t>(unknown_of(member, i))] = i;
+  System system;
+  system.M = dense_pattern(member.M, order);
+  system.C = dense_pattern(member.C, order);
+  system.K = dense_pattern(member.K, order);
+  system.n_prescribed = member.n_prescribed;
+  for (const int i : order)
+    system.field.push_back(member.is_phi[static_cast<std::size_t>(i)] ? Field::pressure_impulse : Field::displacement);
+  for (std::size_t k = 0; k < of.loads.size(); ++k) {
+    SystemLoad load = of.loads[k];
+    load.vector = member.load.col(static_cast<Eigen::Index>(k))(order);
+    if (load.prescribed >= 0) load.prescribed = unknown_of(member, member.prescribed[k]);
+    system.loads.push_back(std::move(load));
+  }
+  for (std::size_t i = 0; i < of.readings.size(); ++i) {
+    Reading reading = of.readings[i];
+    const auto at = static_cast<Eigen::Index>(i);
+    reading.position = row_of(member.position, at, order);
+    reading.velocity = row_of(member.velocity, at, order);
+    reading.acceleration = row_of(member.acceleration, at, order);
+    reading.nodal_forces.clear();
+    system.readings.push_back(std::move(reading));
+  }
+  return system;
+}
+
+}  // namespace upbead

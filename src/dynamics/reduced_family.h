@@ -1,0 +1,36 @@
+// One reduced model for many Systems that are sums of the same parts.
+#pragma once
+
+#include <vector>
+
+#include "upbead/dynamics/reduced_system.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// fixed + sum_q factor_q part_q in the coordinates of one basis: M, C, K, and the rows of the readings; all else is
+/// that of `fixed`. The first `n_kept` coordinates are the prescribed unknowns and those that are kept exactly.
+struct ReducedFamily {
+  ReducedSystem fixed;
+  std::vector<ReducedSystem> parts;
+  int n_kept = 0;
+
+  /// Throws std::invalid_argument where there are not as many factors as parts.
+  ReducedSystem at(const std::vector<double>& factors) const;
+};
+
+/// The family in other coordinates q = rotation q_new: R x R', with orthonormal columns, each of one kind of unknowns.
+ReducedFamily rotated(const ReducedFamily& family, const Eigen::MatrixXd& rotation);
+ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotation);
+
+/// A member without the last coordinates of both kinds: `share` of those that are not kept remain.
+ReducedSystem leading(const ReducedSystem& member, int n_kept, double share);
+
+/// A member as a System of its own, small and dense: its unknowns are the coordinates, the prescribed ones last. Loads,
+/// readings and their names are those of `of`, the System that was reduced.
+System as_system(const ReducedSystem& member, const System& of);
+
+/// The index in as_system() of a coordinate.
+int unknown_of(const ReducedSystem& member, int coordinate);
+
+}  // namespace upbead

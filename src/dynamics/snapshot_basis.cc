@@ -1,0 +1,73 @@
+#include "dynamics/snapshot_basis.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "algebra/dense.h"
+#include "dynamics/orthogonalise.h"
+
+namespace upbead {
+
+namespace {
+
+/// Y without its part in the span of the orthonormal columns of Q, twice for accuracy.
+Eigen::MatrixXd outside(const Eigen::Ref<const Eigen::MatrixXd>& Q, Eigen::MatrixXd Y) {
+  for (int pass = 0; pass < 2 && Q.cols() > 0; ++pass) Y -= product(Q, transposed_product(Q, Y));
+  return Y;
+}
+
+}  // namespace
+
+SnapshotBasis::SnapshotBasis(const System& like, double shift, const std::vector<int>& exact) {
+  FieldBases exactly = exact_bases(like, shift * shift * like.M + shift * like.C + like.K, exact);
+  u_ = std::move(exactly.displacements);
+  phi_ = std::move(exactly.phi);
+  n_coordinates_ = n_kept_ = static_cast<int>(u_.n() + phi_.n());
+}
+
+void SnapshotBasis::add(const Snapshots& of, double rest) {
+  add(u_, held_u_, of.displacements, rest);
+  add(phi_, held_phi_, of.phi, rest);
+}
+
+/// By the eigenvectors of Y'Y: they lose what is below 1e-8 of the largest direction, which `rest` exceeds.
+void SnapshotBasis::add(FieldBasis& basis, Eigen::MatrixXd& held, const Eigen::MatrixXd& of, double rest) {
+  const Eigen::Index kept = basis.n() - held.rows();
+  const Eigen::MatrixXd scaled = basis.unit.cwiseInverse().asDiagonal() * of;
+  const Eigen::MatrixXd Y = outside(basis.columns(), scaled);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(transposed_product(Y, Y));
+  double left = Y.squaredNorm();
+  for (Eigen::Index j = Y.cols(); j-- > 0 && left > rest * rest * scaled.squaredNorm();) {
+    Vector direction = product(Y, squares.eigenvectors().col(j));
+    left -= direction.squaredNorm();
+    detail::orthogonalise(basis.columns(), direction);
+    detail::add_column(basis, direction.normalized(), n_coordinates_++);
+  }
+  const Eigen::Index before = held.cols();
+  held.conservativeResizeLike(Eigen::MatrixXd::Zero(basis.n() - kept, before + of.cols()));
+  held.rightCols(of.cols()) = transposed_product(basis.columns_from(kept), scaled);
+}
+
+Eigen::MatrixXd SnapshotBasis::sorting() const {
+  Eigen::MatrixXd rotation = Eigen::MatrixXd::Zero(n_coordinates_, n_coordinates_);
+  rotation.topLeftCorner(n_kept_, n_kept_).setIdentity();
+  std::vector<std::pair<double, Vector>> columns;
+  for (const auto& [basis, held] : {std::pair(&u_, &held_u_), std::pair(&phi_, &held_phi_)}) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(*held * held->transpose());
+    const Eigen::Index n = held->rows(), kept = basis->n() - n;
+    for (Eigen::Index j = n; j-- > 0;) {
+      Vector column = Vector::Zero(n_coordinates_);
+      for (Eigen::Index i = 0; i < n; ++i)
+        column[basis->coordinate[static_cast<std::size_t>(kept + i)]] = squares.eigenvectors()(i, j);
+      columns.emplace_back(static_cast<double>(n - 1 - j) / static_cast<double>(n), std::move(column));
+    }
+  }
+  std::stable_sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    rotation.col(n_kept_ + static_cast<Eigen::Index>(j)) = columns[j].second;
+  return rotation;
+}
+
+}  // namespace upbead

@@ -1,0 +1,40 @@
+// Where a System's response goes: its state at complex frequencies, as directions of a basis for it and others alike.
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <vector>
+
+#include "upbead/dynamics/krylov.h"
+#include "upbead/dynamics/modal_response.h"
+
+namespace upbead {
+
+/// By column, for both kinds of unknowns, in the order of FieldBasis::unknown; not in its units.
+struct Snapshots {
+  Eigen::MatrixXd displacements, phi;
+};
+
+/// How a System's response is found.
+struct SnapshotOptions {
+  double shift = 0.;       ///< of the Krylov space (1/s)
+  std::vector<int> exact;  ///< see SecondOrderKrylov
+  int vectors = 60;        ///< per independent load
+  std::vector<std::complex<double>> frequencies;
+  Eigen::MatrixXd weights;                ///< of each load (row) at each frequency (column)
+  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
+};
+
+/// Real and imaginary parts of X(s_j) under each load alone, times its weight; all together have length 1 in the units
+/// of the Krylov space. Costs one factorisation, and a solve per vector. Throws as SecondOrderKrylov does.
+Snapshots snapshots(const System& system, const SnapshotOptions& options);
+
+/// s_j = 3/T + i omega_j from 0 to `highest` (rad/s), as close as the real part resolves, but at most `most`; T is the
+/// end of the loads (s).
+std::vector<std::complex<double>> snapshot_frequencies(double end, double highest, int most);
+
+/// The weights of loads: |F_k(s)|, or a tenth of its bound min(int |f|, V/|s|^2), V the variation of f', where |F_k|
+/// is smaller: other waves of that length have no zeros there.
+Eigen::MatrixXd snapshot_weights(const SampledLoads& loads, const std::vector<std::complex<double>>& frequencies);
+
+}  // namespace upbead

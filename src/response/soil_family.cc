@@ -1,0 +1,137 @@
+#include "response/soil_family.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "dynamics/projection.h"
+#include "dynamics/snapshot_basis.h"
+#include "fem/caisson/reading_names.h"
+#include "response/reduction.h"
+
+namespace upbead {
+
+namespace {
+
+/// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
+constexpr double rest_of_point = 1e-5;
+/// Directions of all points that hold less than this of the snapshots are dropped.
+constexpr int most_frequencies = 160;
+/// Frequencies go up to this multiple of the loads' band.
+constexpr double beyond_band = 1.3;
+/// Tolerance of the small system's own reduction, over that of the family.
+constexpr double share_of_member = 0.2;
+
+SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compiled) {
+  SnapshotOptions options;
+  options.shift = krylov_shift(scene);
+  options.exact = compiled.body_coordinates;
+  const SampledLoads loads = sampled_loads(scene, compiled.system);
+  options.frequencies = snapshot_frequencies(loads.time.back(), beyond_band * bandwidth(scene), most_frequencies);
+  options.weights = snapshot_weights(loads, options.frequencies);
+  return options;
+}
+
+/// The scene as it is marked for a member's own reduction.
+Scene for_member(Scene scene, double tolerance) {
+  scene.tolerance = share_of_member * tolerance;
+  return scene;
+}
+
+Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const Factors& factors, double share) {
+  const CompiledScene compiled = family.at(factors, share);
+  ReductionTargets targets;
+  targets.only_shear = true;
+  const Reduction reduction = reduce_scene(scene, compiled, targets);
+  const Series series = respond(reduction.model, sampled_loads(scene, compiled.system));
+  return series.reading.row(compiled.system.reading(reading::shear_force));
+}
+
+/// Basis and projections, which grow point by point.
+class Builder {
+ public:
+  Builder(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options)
+      : scene_(scene),
+        affine_(affine),
+        options_(options),
+        snapshots_(snapshot_options(scene, affine.fixed)),
+        basis_(affine.at(options.candidates.front()).system, snapshots_.shift, snapshots_.exact) {
+    for (const System& part : all_systems())
+      projections_.emplace_back(part, basis_.displacements(), basis_.phi(), snapshots_.shift);
+    like_ = affine.fixed;
+    for (SparseMatrix* A : {&like_.system.M, &like_.system.C, &like_.system.K, &like_.system.radiation})
+      A->resize(0, 0);
+  }
+
+  void add_point(const Factors& factors, const std::function<void(double)>& progress) {
+    snapshots_.progress = progress;
+    basis_.add(snapshots(affine_.at(factors).system, snapshots_), rest_of_point);
+    for (Projection& projection : projections_) projection.extend();
+  }
+
+  SoilFamily family() const {
+    ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept()};
+    for (std::size_t q = 1; q < projections_.size(); ++q) reduced.parts.push_back(projections_[q].reduced());
+    return {rotated(reduced, basis_.sorting()), like_};
+  }
+
+ private:
+  std::vector<System> all_systems() const {
+    std::vector<System> list{affine_.fixed.system};
+    list.insert(list.end(), affine_.parts.begin(), affine_.parts.end());
+    return list;
+  }
+
+  const Scene& scene_;
+  const AffineScene& affine_;
+  const SoilFamilyOptions& options_;
+  SnapshotOptions snapshots_;
+  SnapshotBasis basis_;
+  std::vector<Projection> projections_;
+  CompiledScene like_;
+};
+
+}  // namespace
+
+CompiledScene SoilFamily::at(const Factors& factors, double share) const {
+  ReducedSystem member = reduced.at(factors);
+  if (share < 1.) member = leading(member, reduced.n_kept, share);
+  CompiledScene compiled = like;
+  compiled.system = as_system(member, like.system);
+  for (std::size_t i = 0; i < compiled.body_coordinates.size(); ++i)
+    compiled.body_coordinates[i] = unknown_of(member, member.n_prescribed + static_cast<int>(i));
+  return compiled;
+}
+
+double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors) {
+  const Eigen::RowVectorXd all = shear_of(family, scene, factors, 1.);
+  const Eigen::RowVectorXd fewer = shear_of(family, scene, factors, nested_share);
+  return nested_safety * (all - fewer).cwiseAbs().maxCoeff() / all.cwiseAbs().maxCoeff();
+}
+
+SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options) {
+  const Scene member = for_member(scene, options.tolerance);
+  Builder builder(scene, affine, options);
+  SoilFamilyMade made;
+  int next = 0;
+  while (true) {
+    check_interrupt();
+    const double begin = static_cast<double>(made.points.size()) / options.most_points;
+    const double end = begin + 1. / options.most_points;
+    made.points.push_back(next);
+    builder.add_point(options.candidates[static_cast<std::size_t>(next)],
+                      part_of(options.progress, begin, 0.5 * (begin + end)));
+    made.family = builder.family();
+    std::vector<double> errors(options.candidates.size());
+    in_parallel(errors.size(), "", [&](std::size_t i) {
+      errors[i] = family_error(made.family, member, options.candidates[i]);
+    });
+    const auto worst = std::max_element(errors.begin(), errors.end());
+    made.estimates.push_back(*worst);
+    if (*worst <= options.tolerance || static_cast<int>(made.points.size()) == options.most_points) return made;
+    next = static_cast<int>(worst - errors.begin());
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,52 @@
+// One reduced model for all soils of a box, and all waves: a scene whose System is a sum over its soils' constants.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "dynamics/reduced_family.h"
+#include "fem/affine_scene.h"
+
+namespace upbead {
+
+/// What a member of the family is: coefficients by part of AffineScene.
+using Factors = std::vector<double>;
+
+/// A scene in one basis for all its soils.
+struct SoilFamily {
+  ReducedFamily reduced;
+  CompiledScene like;  ///< of the scene that was reduced; its system has no matrices
+
+  /// The scene with that soil as a small dense System, whose unknowns are coordinates of the basis; `share`: of the
+  /// basis that is used, see leading().
+  CompiledScene at(const Factors& factors, double share = 1.) const;
+};
+
+/// Share of the directions that the smaller of two nested models has, by which a family's error is estimated.
+constexpr double nested_share = 0.63;
+/// The estimate is this multiple of the largest difference of both models' F_T, see docs/soils.md.
+constexpr double nested_safety = 1.5;
+
+struct SoilFamilyOptions {
+  std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next
+  double tolerance = 2e-3;          ///< of the history of F_T over its peak, for each candidate by its estimate
+  int most_points = 8;
+  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
+};
+
+/// How a family was made.
+struct SoilFamilyMade {
+  SoilFamily family;
+  std::vector<int> points;        ///< candidates that were solved
+  std::vector<double> estimates;  ///< largest estimate over the candidates, after each point
+};
+
+/// Solves soil by soil, each time the one with the largest estimate (a greedy choice: Veroy, Prud'homme, Rovas and
+/// Patera 2003), until all candidates meet the tolerance, or `most_points` are solved. Throws NumericsError as
+/// snapshots() does.
+SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options);
+
+/// Largest difference of F_T between nested members over its peak, times nested_safety, under the scene's own loads.
+double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors);
+
+}  // namespace upbead
