@@ -31,6 +31,13 @@ SparseMatrix block(const SparseMatrix& A, const std::vector<int>& rows, const st
   return B;
 }
 
+/// Whether a row holds an entry that is not zero.
+bool has_row(const SparseMatrix& A, int row) {
+  for (SparseMatrix::InnerIterator entry(A, row); entry; ++entry)
+    if (entry.value() != 0.) return true;
+  return false;
+}
+
 SparseMatrix row_matrix(const std::vector<Reading>& readings, Row Reading::*part, int n) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -91,10 +98,21 @@ Projection::Projection(const System& system, const FieldBasis& displacements, co
 }
 
 Projection::Group Projection::make_group(const System& system, const FieldBasis& basis) {
+  std::vector<int> rows, unknown;
+  for (std::size_t i = 0; i < basis.unknown.size(); ++i)
+    if (const int u = basis.unknown[i]; has_row(system.M, u) || has_row(system.C, u) || has_row(system.K, u)) {
+      rows.push_back(static_cast<int>(i));
+      unknown.push_back(u);
+    }
+  const Vector unit = basis.unit(rows);
   const auto scaled = [&](const SparseMatrix& A) -> SparseMatrix {
-    return basis.unit.asDiagonal() * block(A, basis.unknown, basis.unknown) * basis.unit.asDiagonal();
+    return unit.asDiagonal() * block(A, unknown, unknown) * unit.asDiagonal();
   };
-  return {basis, scaled(system.M), scaled(system.C), scaled(system.K), 0};
+  return {basis, rows, scaled(system.M), scaled(system.C), scaled(system.K), 0};
+}
+
+Eigen::MatrixXd Projection::columns_of(const Group& group, Eigen::Index first) {
+  return group.basis.vectors(group.rows, Eigen::seq(first, group.basis.n() - 1));
 }
 
 void Projection::extend() {
@@ -116,10 +134,11 @@ void Projection::resize() {
 
 void Projection::project(Group& group) {
   const std::vector<int>& coordinate = group.basis.coordinate;
-  const Columns added = group.basis.columns_from(group.n_projected);
+  const Eigen::MatrixXd all = columns_of(group, 0);
+  const Columns added = all.rightCols(all.cols() - group.n_projected);
   const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
     if (A.nonZeros() == 0) return;
-    const Eigen::MatrixXd gram = gram_of(group.basis.columns(), A * added);
+    const Eigen::MatrixXd gram = gram_of(all, A * added);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
         const int row = coordinate[i];
@@ -136,6 +155,7 @@ void Projection::project(Group& group) {
 
 /// Entries of C between phi and u for new directions: new u with all phi, then new phi with old u.
 void Projection::project_coupling() {
+  if (C_phiu_.nonZeros() == 0) return;
   const auto fill = [&](const Eigen::MatrixXd& gram, Eigen::Index first_phi, Eigen::Index first_u) {
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
@@ -151,14 +171,24 @@ void Projection::project_coupling() {
 }
 
 void Projection::project_rows(const Group& group) {
-  Vector x = Vector::Zero(position_.cols());
-  for (Eigen::Index c = group.n_projected; c < group.basis.n(); ++c) {
-    x(group.basis.unknown) = group.basis.unit.cwiseProduct(group.basis.vectors.col(c));
-    const int r = group.basis.coordinate[c];
-    reduced_.position.col(r) = position_ * x;
-    reduced_.velocity.col(r) = velocity_ * x;
-    reduced_.acceleration.col(r) = acceleration_ * x;
-    for (std::size_t k = 0; k < loads_.size(); ++k) reduced_.load(r, static_cast<Eigen::Index>(k)) = loads_[k].dot(x);
+  const FieldBasis& basis = group.basis;
+  std::vector<int> local(static_cast<std::size_t>(position_.cols()), -1);
+  for (std::size_t i = 0; i < basis.unknown.size(); ++i) local[basis.unknown[i]] = static_cast<int>(i);
+  const auto project = [&](const SparseMatrix& rows, Eigen::MatrixXd& reduced) {
+    for (int i = 0; i < rows.rows(); ++i)
+      for (SparseMatrix::InnerIterator entry(rows, i); entry; ++entry)
+        if (const int j = local[entry.col()]; j >= 0)
+          for (Eigen::Index c = group.n_projected; c < basis.n(); ++c)
+            reduced(i, basis.coordinate[c]) += entry.value() * (basis.unit[j] * basis.vectors(j, c));
+  };
+  project(position_, reduced_.position);
+  project(velocity_, reduced_.velocity);
+  project(acceleration_, reduced_.acceleration);
+  for (std::size_t k = 0; k < loads_.size(); ++k) {
+    if (loads_[k].size() == 0) continue;
+    const Vector scaled = basis.unit.cwiseProduct(loads_[k](basis.unknown));
+    for (Eigen::Index c = group.n_projected; c < basis.n(); ++c)
+      reduced_.load(basis.coordinate[c], static_cast<Eigen::Index>(k)) = scaled.dot(basis.vectors.col(c));
   }
 }
 

@@ -26,11 +26,14 @@ class Projection {
   /// The diagonal blocks of the matrices that belong to one basis, in its units.
   struct Group {
     const FieldBasis& basis;
-    SparseMatrix M, C, K;
+    std::vector<int> rows;     ///< of the basis, on which the matrices are not zero
+    SparseMatrix M, C, K;      ///< on these rows
     Eigen::Index n_projected;  ///< columns of the basis
   };
 
   static Group make_group(const System& system, const FieldBasis& basis);
+  /// The basis on the rows of the group, from a column on.
+  static Eigen::MatrixXd columns_of(const Group& group, Eigen::Index first);
   void resize();
   void project(Group& group);
   void project_coupling();
@@ -39,7 +42,7 @@ class Projection {
   Group u_, phi_;
   SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W
   SparseMatrix position_, velocity_, acceleration_;  ///< readings x unknowns
-  std::vector<Vector> loads_;                        ///< by unknown
+  std::vector<Vector> loads_;                        ///< by unknown; empty of a load that is zero
   ReducedSystem reduced_;
 };
 

@@ -73,12 +73,10 @@ bool is_zero(const System& part) {
   return part.M.nonZeros() + part.C.nonZeros() + part.K.nonZeros() == 0;
 }
 
-/// What the coefficient multiplies: the terms with a 1 in its place less those with a 0.
-System part_of(const PartsCompiler& compiler, const std::string& region, Coefficient coefficient) {
-  RegionConstants one = unit_constants(coefficient), zero;
-  one.material.rho_f = zero.material.rho_f = 1.;  // terms of the fluid alone cancel, and must be finite
-  const System part = difference(compiler.of_region(region, one), compiler.of_region(region, zero));
-  return is_of_damping(coefficient) ? of_damping(part) : part;
+/// Terms of the fluid alone cancel between two compilations, and must be finite.
+RegionConstants with_fluid(RegionConstants constants) {
+  constants.material.rho_f = 1.;
+  return constants;
 }
 
 }  // namespace
@@ -112,11 +110,14 @@ AffineScene affine_scene(const Scene& scene, const Mesh& mesh, const std::vector
     if (found == varied.end()) continue;
     const Varied here = with_products(found->second);
     fixed.back() = without(fixed.back(), here);
+    const System none = compiler.of_region(surface, with_fluid({}));
     for (int i = 0; i < n_coefficients; ++i) {
       if (!here[static_cast<std::size_t>(i)]) continue;
-      System part = part_of(compiler, surface, static_cast<Coefficient>(i));
+      const auto coefficient = static_cast<Coefficient>(i);
+      System part = difference(compiler.of_region(surface, with_fluid(unit_constants(coefficient))), none);
+      if (is_of_damping(coefficient)) part = of_damping(std::move(part));
       if (is_zero(part)) continue;
-      out.terms.push_back({surface, static_cast<Coefficient>(i)});
+      out.terms.push_back({surface, coefficient});
       out.parts.push_back(std::move(part));
     }
   }

@@ -17,7 +17,7 @@ namespace {
 /// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
 constexpr double rest_of_point = 1e-5;
 /// Directions of all points that hold less than this of the snapshots are dropped.
-constexpr int most_frequencies = 160;
+constexpr int most_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;
 /// Tolerance of the small system's own reduction, over that of the family.

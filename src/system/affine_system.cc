@@ -85,6 +85,7 @@ System difference(const System& one, const System& other) {
   rest.C = difference(one.C, other.C);
   rest.K = difference(one.K, other.K);
   rest.radiation = difference(one.radiation, other.radiation);
+  for (SystemLoad& load : rest.loads) load.vector.resize(0);
   for (std::size_t i = 0; i < rest.readings.size(); ++i)
     for (Row Reading::*row : rows_of_reading)
       rest.readings[i].*row = sum(one.readings[i].*row, other.readings[i].*row, -1.);

@@ -20,7 +20,8 @@ struct AffineSystem {
 /// a + factor b of rows: sorted by unknown, without those that cancel.
 Row sum(const Row& a, const Row& b, double factor);
 
-/// What of `one` is not in `other`: matrices, and rows of readings, without entries that are equal to the last bit.
+/// What of `one` is not in `other`: matrices, and rows of readings, without entries that are equal to the last bit. Its
+/// loads are zero: their vectors are empty.
 System difference(const System& one, const System& other);
 
 /// How far two systems lie apart: the largest difference of entries of M, C, K, readings and loads, over the root of
