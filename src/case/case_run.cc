@@ -10,9 +10,6 @@
 
 namespace upbead {
 
-namespace {
-
-/// The case's scene with what follows with the mesh: profiles, an end that is left to be chosen, pieces of its loads.
 Scene scene_on(const Case& input, const Mesh& mesh) {
   Scene scene = with_profiles(input, mesh);
   if (end_is_open(input)) scene.time.end = settled_end(input, mesh).seconds;
@@ -20,9 +17,9 @@ Scene scene_on(const Case& input, const Mesh& mesh) {
   return scene;
 }
 
-/// `make` makes it of the case's scene on its mesh.
-template <class Make>
-Simulation checked(const Case& input, std::shared_ptr<const Mesh> mesh, const Make& make) {
+Simulation simulation_by(
+    const Case& input, std::shared_ptr<const Mesh> mesh,
+    const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make) {
   return in_places_of(input, [&] {
     check_size(input.scene);
     const Stopwatch watch;
@@ -34,18 +31,16 @@ Simulation checked(const Case& input, std::shared_ptr<const Mesh> mesh, const Ma
   });
 }
 
-}  // namespace
-
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
                          std::shared_ptr<const Processes> processes) {
-  return checked(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
+  return simulation_by(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
     return Simulation(std::move(scene), on, processes);
   });
 }
 
 Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh) {
   if (before == nullptr) return simulation_of(input, std::move(mesh));
-  return checked(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
+  return simulation_by(input, std::move(mesh), [&](Scene scene, const std::shared_ptr<const Mesh>& on) {
     return Simulation(std::move(scene), on, *before);
   });
 }

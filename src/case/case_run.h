@@ -33,6 +33,15 @@ std::shared_ptr<const Mesh> settle_end(Case& input);
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
                          std::shared_ptr<const Processes> processes = nullptr);
 
+/// The case's scene with what follows with the mesh: profiles, an end that is left to be chosen, pieces of its loads.
+Scene scene_on(const Case& input, const Mesh& mesh);
+
+/// The case's simulation as `make` makes it of that scene, checked as simulation_of() does; the mesh is read where it is
+/// not given.
+Simulation simulation_by(
+    const Case& input, std::shared_ptr<const Mesh> mesh,
+    const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make);
+
 /// The same on one process, after another simulation, see Simulation.
 Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh);
 

@@ -54,7 +54,7 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
        i = static_cast<std::size_t>(pool.take()))
     for (const int run : pieces[i]) {
       meanwhile();
-      const RunResult result = runner.run(study.runs[static_cast<std::size_t>(run)], meanwhile);
+      const RunResult result = runner.run(run, meanwhile);
       journal.add(run, result);
       pool.tell(1, result.done ? 0 : 1);
     }
@@ -90,7 +90,7 @@ int serve(const StudyWorker& worker, const StudyOptions& options) {
   Journal journal(options.out, study, worker.rank);
   Runner runner(study, !options.no_sharing, options.trusts_scripts);
   worker.serve([&](int run) {
-    const RunResult result = runner.run(study.runs[static_cast<std::size_t>(run)], [] {});
+    const RunResult result = runner.run(run, [] {});
     journal.add(run, result);
     return result.done;
   });

@@ -68,6 +68,18 @@ Space Space::with(const std::vector<RegionConstants>& constants) const {
   return other;
 }
 
+Space Space::with(const Scene& scene) const {
+  Space other = *this;
+  other.by_cell_ = false;
+  other.regions_.clear();
+  other.materials_.clear();
+  for (const std::string& name : mesh_->surfaces) {
+    other.regions_.push_back(scene.regions.at(name));
+    other.materials_.push_back(upbead::material(other.regions_.back(), scene.fluid, scene.gravity));
+  }
+  return other;
+}
+
 Impedance Space::impedance(const Cell& cell, bool open) const {
   if (constants_.empty()) return upbead::impedance(material(cell), kind(cell), open);
   const RegionConstants& constants = constants_[cell->material_id()];

@@ -49,6 +49,8 @@ class Space {
 
   /// The same unknowns with other constants, one set for each surface of the mesh.
   Space with(const std::vector<RegionConstants>& constants) const;
+  /// The same unknowns with the regions of another scene, whose choices are the same.
+  Space with(const Scene& scene) const;
 
   const Mesh& mesh() const { return *mesh_; }
   const dealii::DoFHandler<dim>& dofs() const { return *dofs_; }

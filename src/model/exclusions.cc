@@ -94,14 +94,47 @@ const Feature absorbing_pores{"a side that absorbs waves of the water", [](const
                                 return absorbing(s, &Boundary::pressure, PressureCondition::absorbing, "pressure");
                               }};
 
+const Feature by_stress{"stiffness that follows the stress at rest",
+                        [](const Scene& s) { return in_regions(s, &Region::stress_law, "shear_modulus"); }};
+const Feature strength{"a strength of linear soil",
+                       [](const Scene& s) { return in_regions(s, &Region::strength, "strength"); }};
+const Feature cycles{"cycles of a storm", [](const Scene& s) { return when(s.cycles.has_value(), "cycles"); }};
+const Feature liquefaction{"momentary liquefaction", [](const Scene& s) {
+                             return when(s.limits.liquefaction.has_value(), "limits.liquefaction");
+                           }};
+const Feature peak_safety{"strength at the peak", [](const Scene& s) {
+                            return when(s.limits.peak_safety.has_value(), "limits.peak_safety");
+                          }};
+const Feature own_mesh_error{"an estimate of the mesh error",
+                             [](const Scene& s) { return when(s.accuracy.estimate, "accuracy.estimate"); }};
+const Feature adapted{"a mesh for the tolerance", [](const Scene& s) { return when(!s.mesh.refine, "mesh.refine"); }};
+const Feature march_by_name{"a march by name", [](const Scene& s) {
+                              return when(s.time.scheme != TimeScheme::automatic &&
+                                              s.time.scheme != TimeScheme::reduced,
+                                          "time.scheme");
+                            }};
+const Feature shaking{"a base that is shaken", [](const Scene& s) {
+                        Keys keys;
+                        for (const auto& [name, load] : s.loads)
+                          if (load.factor != 0. && is_motion(load.kind)) keys.push_back("loads." + name + ".kind");
+                        return keys;
+                      }};
+const Feature volume_load{"gravity or a source of water as a load", [](const Scene& s) {
+                            Keys keys;
+                            for (const auto& [name, load] : s.loads)
+                              if (load.factor != 0. && is_on_volume(load.kind)) keys.push_back("loads." + name + ".kind");
+                            return keys;
+                          }};
+
 const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
                            return when(s.initial && s.initial->harbour_level, "initial.harbour_level");
                          }};
 
 constexpr std::array way_names{"`time.scheme = \"reduced\"`", "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",    "`upbead reduce`",
-                               "several processes",           "`--checkpoint`",
-                               "contact node by node",        "consolidation"};
+                               "one model for every soil",    "several processes",
+                               "`--checkpoint`",              "contact node by node",
+                               "consolidation"};
 
 constexpr const char* no_waves = "without inertia (time.inertia = false) there are no waves to absorb";
 
@@ -128,6 +161,23 @@ const std::vector<Row>& rows() {
       {Treatment::reduce_command, yielding, "soil that yields has no modes"},
       {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
       {Treatment::reduce_command, two_levels, "sliding by a model begins without the shear of still water"},
+      {Treatment::soil_model, early_stop, "it keeps no account of energy to stop by"},
+      {Treatment::soil_model, consolidation, "it needs inertia"},
+      {Treatment::soil_model, contact, "it does not slip node by node"},
+      {Treatment::soil_model, strain, "stiffness cell by cell is no sum of a few parts"},
+      {Treatment::soil_model, by_stress, "stiffness cell by cell is no sum of a few parts"},
+      {Treatment::soil_model, yielding, "soil that yields is not linear"},
+      {Treatment::soil_model, shaking, "its parts would need loads of their own"},
+      {Treatment::soil_model, volume_load, "its parts would need loads of their own"},
+      {Treatment::soil_model, deforming_caisson, "its basis keeps the motions of a rigid caisson alone"},
+      {Treatment::soil_model, fields, "it holds readings alone"},
+      {Treatment::soil_model, strength, "it holds readings alone, and strength is compared everywhere"},
+      {Treatment::soil_model, cycles, "it holds readings alone"},
+      {Treatment::soil_model, liquefaction, "it holds readings alone"},
+      {Treatment::soil_model, peak_safety, "it holds readings alone"},
+      {Treatment::soil_model, own_mesh_error, "each soil would be solved on other meshes, too"},
+      {Treatment::soil_model, adapted, "each soil has a mesh of its own"},
+      {Treatment::soil_model, march_by_name, "it marches nothing"},
       {Treatment::several_processes, by_reduced, "no reduced model is made"},
       {Treatment::several_processes, early_stop, "no run stops early"},
       {Treatment::several_processes, fields, "no fields are written"},

@@ -14,6 +14,7 @@ enum class Treatment {
   generalised_alpha,
   adapted_mesh,
   reduce_command,
+  soil_model,  ///< one model for every soil
   several_processes,
   checkpoints,
   contact,        ///< node by node

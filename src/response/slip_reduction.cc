@@ -20,16 +20,11 @@ constexpr double cut_off = 0.7;
 constexpr int most_vectors = 60;
 
 /// The problem without its training.
-SlipProblem untrained_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift) {
-  if (!compiled.system.interface || !compiled.caisson)
-    throw std::invalid_argument("a scene whose caisson slips needs an interface under it");
-  SlipProblem problem{with_rigid_slip(compiled.system), {}};
-  const int slip = problem.system.n_free() - 1;
-  add_slip(problem.system, slip);
+SlipProblem untrained_problem(const Scene& scene, SlipSystem slips, UpliftKind uplift) {
+  SlipProblem problem{std::move(slips.system), {}};
   ReduceOptions& options = problem.options;
   options.shift = krylov_shift(scene);
-  options.exact = compiled.body_coordinates;
-  options.exact.push_back(slip);
+  options.exact = std::move(slips.exact);
   options.measured = {0, 1, 2, 3};
   options.tolerance = scene.tolerance;
   options.max_vectors = most_vectors;
@@ -57,16 +52,29 @@ SampledLoads training(const Scene& scene, const CompiledScene& compiled, const S
 
 }  // namespace
 
+SlipSystem slip_system(const CompiledScene& compiled) {
+  if (!compiled.system.interface || !compiled.caisson)
+    throw std::invalid_argument("a scene whose caisson slips needs an interface under it");
+  SlipSystem out{with_rigid_slip(compiled.system), compiled.body_coordinates};
+  const int slip = out.system.n_free() - 1;
+  add_slip(out.system, slip);
+  out.exact.push_back(slip);
+  return out;
+}
+
 SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
-  SlipProblem problem = untrained_problem(scene, compiled, uplift);
+  SlipProblem problem = untrained_problem(scene, slip_system(compiled), uplift);
   problem.options.training = training(scene, compiled, bonded);
   return problem;
 }
 
 SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift)
+    : SlipSpace(scene, compiled, slip_system(compiled), uplift) {}
+
+SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, SlipSystem slips, UpliftKind uplift)
     : scene_(scene),
       compiled_(compiled),
-      problem_(untrained_problem(scene, compiled, uplift)),
+      problem_(untrained_problem(scene, std::move(slips), uplift)),
       model_(problem_.system, problem_.options) {
   model_.prepare();
 }

@@ -22,6 +22,15 @@ struct SlipReduction {
   double factorise_seconds = 0.;
 };
 
+/// The system of a scene whose caisson slips as a whole, with_rigid_slip() and add_slip(), and the unknowns that are
+/// kept exactly, s the last of them.
+struct SlipSystem {
+  System system;
+  std::vector<int> exact;
+};
+/// Of a scene compiled with its interface. Throws std::invalid_argument where there is none.
+SlipSystem slip_system(const CompiledScene& compiled);
+
 /// The system of a scene with an interface, and how it is reduced.
 struct SlipProblem {
   System system;  ///< as SlipReduction::system
@@ -34,6 +43,8 @@ class SlipSpace {
  public:
   /// Scene and compiled scene must outlive the object. Throws as reduce_slip() does.
   SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift);
+  /// The same of a system that is given; `compiled`: with its loads and readings, bonded or not.
+  SlipSpace(const Scene& scene, const CompiledScene& compiled, SlipSystem slips, UpliftKind uplift);
   /// See reduce_slip(). To be called once.
   SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress);
 

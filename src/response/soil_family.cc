@@ -9,6 +9,8 @@
 #include "dynamics/snapshot_basis.h"
 #include "fem/caisson/reading_names.h"
 #include "response/reduction.h"
+#include "response/slip_reduction.h"
+#include "system/interface.h"
 
 namespace upbead {
 
@@ -16,7 +18,6 @@ namespace {
 
 /// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
 constexpr double rest_of_point = 1e-5;
-/// Directions of all points that hold less than this of the snapshots are dropped.
 constexpr int most_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;
@@ -30,6 +31,9 @@ SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compil
   const SampledLoads loads = sampled_loads(scene, compiled.system);
   options.frequencies = snapshot_frequencies(loads.time.back(), beyond_band * bandwidth(scene), most_frequencies);
   options.weights = snapshot_weights(loads, options.frequencies);
+  const Eigen::RowVectorXd any = options.weights.colwise().maxCoeff();
+  for (Eigen::Index k = 0; k < options.weights.rows(); ++k)
+    if (options.weights.row(k).isZero(0.)) options.weights.row(k) = any;  // of F_T, which is known later
   return options;
 }
 
@@ -51,17 +55,13 @@ Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const 
 /// Basis and projections, which grow point by point.
 class Builder {
  public:
-  Builder(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options)
-      : scene_(scene),
-        affine_(affine),
-        options_(options),
+  Builder(const Scene& scene, const AffineScene& affine, const Factors& first)
+      : affine_(affine),
         snapshots_(snapshot_options(scene, affine.fixed)),
-        basis_(affine.at(options.candidates.front()).system, snapshots_.shift, snapshots_.exact) {
-    for (const System& part : all_systems())
-      projections_.emplace_back(part, basis_.displacements(), basis_.phi(), snapshots_.shift);
-    like_ = affine.fixed;
-    for (SparseMatrix* A : {&like_.system.M, &like_.system.C, &like_.system.K, &like_.system.radiation})
-      A->resize(0, 0);
+        basis_(affine.at(first).system, snapshots_.shift, snapshots_.exact) {
+    projections_.reserve(affine.parts.size() + 1);
+    add_projection(affine.fixed.system);
+    for (const System& part : affine.parts) add_projection(part);
   }
 
   void add_point(const Factors& factors, const std::function<void(double)>& progress) {
@@ -73,23 +73,24 @@ class Builder {
   SoilFamily family() const {
     ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept()};
     for (std::size_t q = 1; q < projections_.size(); ++q) reduced.parts.push_back(projections_[q].reduced());
-    return {rotated(reduced, basis_.sorting()), like_};
+    return {rotated(reduced, basis_.sorting()), without_matrices(affine_.fixed)};
   }
 
  private:
-  std::vector<System> all_systems() const {
-    std::vector<System> list{affine_.fixed.system};
-    list.insert(list.end(), affine_.parts.begin(), affine_.parts.end());
-    return list;
+  void add_projection(const System& part) {
+    projections_.emplace_back(part, basis_.displacements(), basis_.phi(), snapshots_.shift);
   }
 
-  const Scene& scene_;
+  static CompiledScene without_matrices(CompiledScene compiled) {
+    for (SparseMatrix* A : {&compiled.system.M, &compiled.system.C, &compiled.system.K, &compiled.system.radiation})
+      A->resize(0, 0);
+    return compiled;
+  }
+
   const AffineScene& affine_;
-  const SoilFamilyOptions& options_;
   SnapshotOptions snapshots_;
   SnapshotBasis basis_;
-  std::vector<Projection> projections_;
-  CompiledScene like_;
+  std::vector<Projection> projections_;  ///< of what is fixed, then of the parts
 };
 
 }  // namespace
@@ -112,7 +113,7 @@ double family_error(const SoilFamily& family, const Scene& scene, const Factors&
 
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options) {
   const Scene member = for_member(scene, options.tolerance);
-  Builder builder(scene, affine, options);
+  Builder builder(scene, affine, options.candidates.front());
   SoilFamilyMade made;
   int next = 0;
   while (true) {
@@ -132,6 +133,33 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     if (*worst <= options.tolerance || static_cast<int>(made.points.size()) == options.most_points) return made;
     next = static_cast<int>(worst - errors.begin());
   }
+}
+
+SoilFamily soil_family(const Scene& scene, const AffineScene& affine, const std::vector<Factors>& points,
+                       const std::function<void(double)>& progress) {
+  Builder builder(scene, affine, points.front());
+  const auto n = static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check_interrupt();
+    builder.add_point(points[i], part_of(progress, static_cast<double>(i) / n, static_cast<double>(i + 1) / n));
+  }
+  return builder.family();
+}
+
+AffineScene with_slip(const AffineScene& affine) {
+  AffineScene out{affine.fixed, affine.terms, {}};
+  SlipSystem slips = slip_system(affine.fixed);
+  out.fixed.system = std::move(slips.system);
+  out.fixed.body_coordinates = std::move(slips.exact);
+  for (const System& part : affine.parts) {
+    System slipping = with_rigid_slip(part);
+    // what add_slip() adds is fixed
+    slipping.loads.push_back({slip_name::friction, {}, {}, -1});
+    for (SystemLoad& load : slipping.loads) load.vector.resize(0);
+    while (slipping.readings.size() < out.fixed.system.readings.size()) slipping.readings.emplace_back();
+    out.parts.push_back(std::move(slipping));
+  }
+  return out;
 }
 
 }  // namespace upbead

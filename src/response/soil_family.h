@@ -46,6 +46,14 @@ struct SoilFamilyMade {
 /// snapshots() does.
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options);
 
+/// The family of given points, without a choice.
+SoilFamily soil_family(const Scene& scene, const AffineScene& affine, const std::vector<Factors>& points,
+                       const std::function<void(double)>& progress = {});
+
+/// The parts of a scene with an interface, for a caisson that slips as a whole: its systems are those of slip_system(),
+/// its body_coordinates the unknowns that are kept exactly.
+AffineScene with_slip(const AffineScene& affine);
+
 /// Largest difference of F_T between nested members over its peak, times nested_safety, under the scene's own loads.
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors);
 

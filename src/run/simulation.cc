@@ -88,6 +88,7 @@ Simulation with_given(const Simulation& simulation, const Scene& given) {
 Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled) {
   return simulation.with([&](auto& parts) {
     parts.compiled = std::move(compiled);
+    parts.member = nullptr;
     parts.room = nullptr;
   });
 }

@@ -15,6 +15,7 @@
 #include "response/time_choice.h"
 #include "run/chosen_times.h"
 #include "run/derived.h"
+#include "run/soil_member.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -142,6 +143,8 @@ Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Simulatio
     const std::shared_ptr<SlipAhead>& ahead;
     ~AtEnd() { ahead->leave_mesh(); }
   } at_end{ahead};
+  if (const SoilMember* member = simulation.member().get())
+    return reduce_scene(simulation.scene(), member->compiled, targets, progress);
   return reduce_scene(simulation.scene(), *simulation.compiled(), targets, progress, simulation.room().get());
 }
 
@@ -156,13 +159,14 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene()));
   const bool is_shown = !wanted(shown.time, observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
-  const bool states = simulation.scene().fields_every || is_shown || has_strength(simulation.scene()) ||
-                      builds_pressure(simulation.scene());
+  const bool everywhere = !simulation.member();
+  const bool states = everywhere && (simulation.scene().fields_every || is_shown || has_strength(simulation.scene()) ||
+                                     builds_pressure(simulation.scene()));
   const bool by_name = simulation.scene().time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
-  const ReductionTargets targets{false, false, most_vectors, true, states, true, whole_tolerance(simulation)};
+  const ReductionTargets targets{false, false, most_vectors, everywhere, states, true, whole_tolerance(simulation)};
   Reduction reduction = reduce_beside(ahead, simulation, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
@@ -173,6 +177,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   solution.discretisation.why_step = simulation.scene().time.step ? "given in the case, or shorter where loads need it"
                                                                   : "a 32nd of the shortest load, for the record";
   solution.reduction = summary_of(reduction);
+  if (simulation.member()) solution.reduction->error_of_soils = simulation.member()->error;
   solution.n_spared = reduction.n_spared;
   if (simulation.compiled()->caisson)
     solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
@@ -203,7 +208,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
                       const std::function<void(double)>& reducing) {
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
-  if (simulation.scene().time.scheme != TimeScheme::reduced)
+  if (simulation.scene().time.scheme != TimeScheme::reduced && !simulation.member())
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
   list.insert(list.begin(), {"reduced", [&simulation, choice, ahead, reducing](const MarchOptions& options) {
                                return run_reduced(simulation, choice, ahead, options.observers, reducing);
@@ -232,7 +237,9 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
 
 Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead,
                       const MarchOptions& marching, const std::function<void(double)>& reducing) {
-  const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
+  const SchemeChoice choice = simulation.member()
+                                  ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", {}}
+                                  : choose_scheme(simulation.scene(), *simulation.compiled());
   if (choice.scheme == TimeScheme::reduced) ahead->begin();
   Solution solution = climb(simulation, ways(simulation, choice, ahead, reducing), marching);
   solution.simulation = std::make_shared<const Simulation>(simulation);

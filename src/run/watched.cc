@@ -5,15 +5,18 @@
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
+#include "run/soil_member.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 
 Watched::Watched(const Simulation& simulation) {
-  if (simulation.scene().limits.liquefaction && !simulation.processes())
+  if (simulation.scene().limits.liquefaction && !simulation.processes() && !simulation.member())
     upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
-  if (simulation.processes())
+  if (simulation.member())
+    why_no_pressure = why_no_strength = why_no_cyclic = why_no_fields_of_soils;
+  else if (simulation.processes())
     why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";
   else if (!std::isfinite(level))
     why_no_pressure = why_no_strength = why_no_cyclic = "no still water level is known: give [initial] water_level";

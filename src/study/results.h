@@ -12,7 +12,7 @@ namespace upbead {
 
 /// What a run took over from the run before it in the same process: each stage with those before it. Numbers are those
 /// of journals.
-enum class Shared { nothing = 0, mesh = 1, solution = 2, system = 3, basis = 4 };
+enum class Shared { nothing = 0, mesh = 1, solution = 2, system = 3, basis = 4, soils = 5 };
 
 struct RunResult {
   bool done = false;                          ///< false: it failed, and `message` says why
@@ -21,6 +21,8 @@ struct RunResult {
   std::string summary;  ///< the whole summary.json of the run; not in journals
   Doubts doubts;        ///< checks that fail, and warnings
   Shared shared = Shared::nothing;
+  /// Where one model answers all soils: estimated, of the history of F_T over its peak.
+  std::optional<double> error_estimate;
   double seconds = 0.;  ///< wall time
 };
 

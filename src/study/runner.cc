@@ -57,17 +57,22 @@ std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared
   return mesh_;
 }
 
-Simulation Runner::simulation_for(const Case& problem, Shared& shared) {
+Simulation Runner::simulation_for(int run, const Case& problem, const std::function<void()>& meanwhile,
+                                  Shared& shared) {
   in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
   const std::shared_ptr<const Mesh> mesh = mesh_for(problem, shared);
   if (!sharing_ || !mesh) return simulation_of(problem, mesh);
+  if (const auto member = soils_.member(run, problem, mesh, meanwhile)) {
+    shared = Shared::soils;
+    return *member;
+  }
   const Simulation simulation = with_room(simulation_after(before_ ? &*before_ : nullptr, problem, mesh));
   if (before_ && simulation.room() == before_->room()) shared = Shared::system;
   before_ = simulation;
   return simulation;
 }
 
-Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
+Summary Runner::solve(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
   const std::string key = solution_key_of(problem);
   RunOptions options;
   options.progress = [&meanwhile](double) { meanwhile(); };
@@ -75,7 +80,7 @@ Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhil
     shared = Shared::solution;
   } else {
     solved_.reset();
-    const Simulation simulation = simulation_for(problem, shared);
+    const Simulation simulation = simulation_for(run, problem, meanwhile, shared);
     read_records(problem, simulation);  // their mistakes come before the work
     solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
     solution_key_ = key;
@@ -85,14 +90,16 @@ Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhil
   return answer(problem, *solved_, options.progress).summary;
 }
 
-RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhile) {
+RunResult Runner::run(int number, const std::function<void()>& meanwhile) {
+  const StudyRun& run = study_.runs[static_cast<std::size_t>(number)];
   const Stopwatch watch;
   RunResult result;
   try {
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
     require_trust(problem, trusts_scripts_);
     require_loads(problem);
-    const Summary summary = solve(problem, meanwhile, result.shared);
+    const Summary summary = solve(number, problem, meanwhile, result.shared);
+    if (summary.reduction) result.error_estimate = summary.reduction->error_of_soils;
     const Json json = summary_outputs().to_json(summary);
     result.summary = json_text(json);
     result.values = numbers_at(json, study_.reads);

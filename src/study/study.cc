@@ -144,6 +144,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   for (const Axis& axis : axes) study.keys.push_back(axis.key);
   study.reads = tables.read.empty() ? default_reads() : tables.read;
   study.summaries = tables.summaries;
+  study.share = tables.share;
   make_runs(study, tables, axes);
 
   Fingerprint fingerprint;

@@ -14,6 +14,12 @@ namespace upbead {
 /// Another value of one key of a case: its dotted path, and the value as TOML.
 using Setting = std::pair<std::string, std::string>;
 
+/// What runs of a study may take over from each other.
+enum class StudyShare {
+  all,   ///< each stage that is the same; and one model answers many soils, see soil_runs.h
+  none,  ///< nothing
+};
+
 /// One run of a study.
 struct StudyRun {
   int case_index = 0;             ///< into Study::cases
@@ -29,6 +35,7 @@ struct Study {
   std::vector<std::string> keys;   ///< the varied keys, in the order of the file
   std::vector<std::string> units;  ///< of the keys; "" where there is none
   std::vector<std::string> reads;  ///< paths into summary.json
+  StudyShare share = StudyShare::all;
   bool summaries = false;          ///< whether the whole summary of each run is kept
   std::vector<StudyRun> runs;
   std::vector<InputFile> inputs;  ///< the study, its cases, all files that they name

@@ -65,6 +65,8 @@ Json skipped(const Results& results) {
   add(count(results, Shared::basis), "mesh, equations and basis",
       "the run before had loads of the same shortest duration, too");
   add(count(results, Shared::solution), "mesh and solution", "the run before differed in what is only told");
+  add(count(results, Shared::soils), "equations of their own, pressure of the water everywhere,",
+      "one model answers all soils, within their error_estimate; share = \"none\" solves each by itself");
   return list;
 }
 
@@ -161,14 +163,32 @@ void add_read(const Study& study, const Results& results, std::size_t read, std:
   columns.push_back(value);
 }
 
+/// Of the runs that one model of all soils answers.
+void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
+  TableColumn run{"error_estimate/run", "", "number of the run", {}, {}};
+  TableColumn value{"error_estimate/value",
+                    "",
+                    "estimated error of the history of F_T over its peak, as one model answers all soils",
+                    {},
+                    {}};
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i]->error_estimate) {
+      run.numbers.push_back(static_cast<double>(i));
+      value.numbers.push_back(*results[i]->error_estimate);
+    }
+  if (run.numbers.empty()) return;
+  columns.push_back(run);
+  columns.push_back(value);
+}
+
 }  // namespace
 
 std::string study_csv(const Study& study, const Results& results) {
-  const bool several = study.cases.size() > 1;
+  const bool several = study.cases.size() > 1, estimated = count(results, Shared::soils) > 0;
   std::string text = several ? "run,case" : "run";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);
-  text += ",status,message,checks_failing,warnings\n";
+  text += std::string(",status,message,checks_failing,warnings") + (estimated ? ",error_estimate\n" : "\n");
   for (std::size_t i = 0; i < results.size(); ++i) {
     const RunResult& result = *results[i];
     text += std::to_string(i);
@@ -177,7 +197,9 @@ std::string study_csv(const Study& study, const Results& results) {
     for (std::size_t read = 0; read < study.reads.size(); ++read)
       text += "," + (result.done && result.values[read] ? number_text(*result.values[read]) : std::string());
     text += std::string(",") + (result.done ? "done" : "failed") + "," + csv_cell(result.message) + "," +
-            csv_cell(names_of(result.doubts.failing)) + "," + csv_cell(names_of(result.doubts.warnings)) + "\n";
+            csv_cell(names_of(result.doubts.failing)) + "," + csv_cell(names_of(result.doubts.warnings));
+    if (estimated) text += "," + (result.error_estimate ? number_text(*result.error_estimate) : std::string());
+    text += "\n";
   }
   return text;
 }
@@ -192,6 +214,7 @@ std::string study_h5(const Study& study, const Results& results) {
     message.texts.push_back(results[i]->message);
   }
   std::vector<TableColumn> columns{number, done, file, message};
+  add_estimates(results, columns);
   for (std::size_t key = 0; key < study.keys.size(); ++key) columns.push_back(varied_column(study, key));
   for (std::size_t read = 0; read < study.reads.size(); ++read) add_read(study, results, read, columns);
   return table_file(study.title, columns);

@@ -9,6 +9,7 @@
 
 #include "input/schema.h"
 #include "input/values.h"
+#include "study/study.h"
 #include "upbead/input/document.h"
 #include "upbead/input/report_head.h"
 
@@ -85,6 +86,7 @@ struct StudyTables {
   int seed = 1;
   std::vector<std::string> read;
   bool summaries = false;
+  StudyShare share = StudyShare::all;
   std::map<std::string, Literal> set;
   std::map<std::string, VaryTable> vary;
   std::map<std::string, FollowTable> follow;

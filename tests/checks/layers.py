@@ -27,11 +27,12 @@ ALLOWED = {
     "run": RUN,
     "findings": RUN + ["run"],
     "case": RUN + ["input", "run", "findings"],
-    "respond": RUN + ["input", "run", "findings", "case"],
+    "soils": RUN + ["input", "run", "findings", "case"],
+    "respond": RUN + ["input", "run", "findings", "case", "soils"],
     "design": RUN + ["input", "run", "findings", "case"],
-    "study": RUN + ["input", "run", "findings", "case"],
+    "study": RUN + ["input", "run", "findings", "case", "soils"],
     "reliability": RUN + ["input", "run", "findings", "case", "design"],
-    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study", "reliability"],
+    "cli": RUN + ["input", "run", "findings", "case", "soils", "respond", "design", "study", "reliability"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')
 PRIVATE = re.compile(r'^\s*#\s*include\s+"(?!upbead/)')

@@ -10,7 +10,7 @@ namespace upbead::test {
 namespace exclusions_test {
 
 constexpr Treatment ways[] = {Treatment::reduced_model,  Treatment::generalised_alpha, Treatment::adapted_mesh,
-                              Treatment::reduce_command, Treatment::several_processes, Treatment::checkpoints,
+                              Treatment::reduce_command, Treatment::soil_model,        Treatment::several_processes, Treatment::checkpoints,
                               Treatment::contact,        Treatment::consolidation};
 
 TEST(Exclusions, OfAPlainSceneAreNone) {

@@ -79,7 +79,7 @@ class SameAnswer : public InFolder {
     std::set<std::string> answers;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       Runner alone(study, false, false);
-      const RunResult a = sharing.run(study.runs[i], [] {}), b = alone.run(study.runs[i], [] {});
+      const RunResult a = sharing.run(static_cast<int>(i), [] {}), b = alone.run(static_cast<int>(i), [] {});
       ASSERT_TRUE(a.done && b.done) << i << ": " << a.message << " / " << b.message;
       EXPECT_EQ(a.shared, rows[i].shared) << i;
       EXPECT_EQ(b.shared, Shared::nothing);
@@ -158,9 +158,9 @@ TEST_F(SameAnswer, AMistakeInARecordCostsItsRunAlone) {
            "\"none\", to_landward = \"none\""),
        {}});
   Runner runner(study, true, false);
-  EXPECT_NE(runner.run(study.runs[0], [] {}).message.find("sampling_rate"), std::string::npos);
-  EXPECT_NE(runner.run(study.runs[1], [] {}).message.find("none.csv"), std::string::npos);
-  EXPECT_TRUE(runner.run(study.runs[2], [] {}).done);
+  EXPECT_NE(runner.run(0, [] {}).message.find("sampling_rate"), std::string::npos);
+  EXPECT_NE(runner.run(1, [] {}).message.find("none.csv"), std::string::npos);
+  EXPECT_TRUE(runner.run(2, [] {}).done);
 }
 
 TEST_F(SameAnswer, TheListHasEveryKeyOfSliding) {
@@ -328,8 +328,8 @@ TEST_F(SameAnswer, WithoutInertiaAndFromAnotherCase) {
   study.cases.push_back("other.toml");
   study.runs[1].case_index = 1;
   Runner sharing(study, true, false), alone(study, false, false);
-  sharing.run(study.runs[0], [] {});
-  const RunResult a = sharing.run(study.runs[1], [] {}), b = alone.run(study.runs[1], [] {});
+  sharing.run(0, [] {});
+  const RunResult a = sharing.run(1, [] {}), b = alone.run(1, [] {});
   EXPECT_EQ(a.shared, Shared::solution);
   EXPECT_EQ(comparable(a.summary), comparable(b.summary));
   EXPECT_TRUE(comparable(a.summary)["sliding"].is_null());

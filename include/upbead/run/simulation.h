@@ -21,6 +21,7 @@ class Unknowns;
 class YieldingSoil;
 struct CompiledScene;
 struct CellsCompared;
+struct SoilMember;
 
 /// Error of F_T caused by the size of the cells.
 struct ShearError {
@@ -76,6 +77,9 @@ class Simulation {
     std::shared_ptr<const Space> space;  ///< this and the next two: made of all members above
     std::shared_ptr<const Unknowns> unknowns;
     std::shared_ptr<const CompiledScene> compiled;
+    /// What is solved in place of `compiled`, where one model answers all soils (src/run/soil_member.h): `compiled` is
+    /// then of another soil, and tells loads and readings alone; null: the scene itself is solved.
+    std::shared_ptr<const SoilMember> member;
     std::shared_ptr<BasisRoom> room;       ///< for the basis of `compiled` as it was assembled; null: none is kept
     std::optional<SoilSummary> soil;       ///< where the soil has converged with the strain of the response
     std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
@@ -110,6 +114,7 @@ class Simulation {
   const std::shared_ptr<const Space>& space() const { return parts_.space; }
   const std::shared_ptr<const Unknowns>& unknowns() const { return parts_.unknowns; }
   const std::shared_ptr<const CompiledScene>& compiled() const { return parts_.compiled; }
+  const std::shared_ptr<const SoilMember>& member() const { return parts_.member; }
   const std::shared_ptr<BasisRoom>& room() const { return parts_.room; }
   const std::optional<SoilSummary>& soil() const { return parts_.soil; }
   const std::optional<MeshAccuracy>& accuracy() const { return parts_.accuracy; }

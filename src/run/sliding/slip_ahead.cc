@@ -5,6 +5,7 @@
 #include "base/cores.h"
 #include "fem/caisson/bottom.h"
 #include "response/shear_response.h"
+#include "run/soil_member.h"
 
 namespace upbead {
 
@@ -30,7 +31,7 @@ struct KeptPromise {
 };
 
 bool is_worth_it(const Simulation& simulation) {
-  return has_spare_core() && simulation.scene().sliding && simulation.compiled()->caisson &&
+  return !simulation.member() && has_spare_core() && simulation.scene().sliding && simulation.compiled()->caisson &&
          why_no_slip(simulation).empty() && demand(simulation) > 1.;
 }
 
@@ -73,6 +74,10 @@ void SlipAhead::begin() {
   });
 }
 
+SlidingSpace::SlidingSpace(const Simulation& simulation)
+    : space_(simulation.scene(), simulation.member()->compiled, *simulation.member()->slip,
+             slip_uplift(*simulation.scene().sliding)) {}
+
 SlipAhead::~SlipAhead() = default;
 
 void SlipAhead::leave_mesh() const {
@@ -82,6 +87,7 @@ void SlipAhead::leave_mesh() const {
 std::unique_ptr<SlidingSpace> SlipAhead::space(const Simulation& simulation) {
   if (space_.valid() && slip_uplift(*simulation.scene().sliding) == slip_uplift(*simulation_->scene().sliding))
     return space_.get();
+  if (simulation.member() && simulation.member()->slip) return std::make_unique<SlidingSpace>(simulation);
   return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
 }
 

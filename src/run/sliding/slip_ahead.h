@@ -21,6 +21,8 @@ UpliftKind slip_uplift(const SlidingChoice& choice);
 class SlidingSpace {
  public:
   SlidingSpace(const Simulation& simulation, AssembledScene assembled);
+  /// Of a member of a family of soils that has a system for it.
+  explicit SlidingSpace(const Simulation& simulation);
   SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress) {
     return space_.reduce(bonded, progress);
   }

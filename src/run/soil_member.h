@@ -1,0 +1,22 @@
+// A scene as one of many with other soils, which one reduced model answers.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fem/compile.h"
+#include "response/slip_reduction.h"
+
+namespace upbead {
+
+/// What stands for the scene's System: a small one in the coordinates of a basis for all soils.
+struct SoilMember {
+  CompiledScene compiled;
+  double error = 0.;               ///< estimated, of the history of F_T over its peak, by the basis
+  std::optional<SlipSystem> slip;  ///< with a caisson that slips as a whole; none: the scene itself is assembled for it
+};
+
+/// What such a model cannot tell, as it holds readings alone.
+inline const char* const why_no_fields_of_soils = "one model answers all soils, and holds readings alone";
+
+}  // namespace upbead

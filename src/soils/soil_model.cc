@@ -1,0 +1,145 @@
+#include "soils/soil_model.h"
+
+#include <algorithm>
+
+#include "base/progress.h"
+#include "base/text.h"
+#include "fem/system_scene.h"
+#include "model/exclusions.h"
+#include "run/derived.h"
+#include "run/sliding/slip_ahead.h"
+#include "run/soil_member.h"
+
+namespace upbead {
+
+namespace {
+
+/// Largest difference that a sum of parts may have from an assembled System, over rows' sizes: round-off is 1e-14.
+constexpr double tolerable_distance = 1e-10;
+
+using OfRegions = std::map<std::string, Coefficients>;
+
+/// What a region decides by its numbers.
+bool same_choices(const Region& a, const Region& b) {
+  return a.kind == b.kind && a.flow == b.flow && a.deformation == b.deformation && a.compressibility == b.compressibility;
+}
+
+void add_varied(const OfRegions& one, const OfRegions& other, std::map<std::string, Varied>& varied) {
+  for (const auto& [region, values] : one)
+    for (std::size_t q = 0; q < values.size(); ++q)
+      if (values[q] != other.at(region)[q]) varied[region][q] = true;
+}
+
+std::vector<Scene> resolved(const Simulation& first, const std::vector<Scene>& soils) {
+  std::vector<Scene> list;
+  for (const Scene& given : soils) {
+    list.push_back(resolved_on(with_all_cells(given), first.mesh()).scene);
+    const std::string why = why_not_of_family(first.scene(), list.back());
+    if (!why.empty()) throw InputError(Place(), why, "keep soils apart that are so different, or solve each by itself");
+  }
+  return list;
+}
+
+AffineScene affine_of(const Simulation& first, const std::vector<Scene>& soils, bool with_interface) {
+  std::map<std::string, Varied> varied;
+  const OfRegions own = coefficients_of(first.scene());
+  for (const Scene& soil : soils) add_varied(own, coefficients_of(soil), varied);
+  return affine_scene(first.scene(), *first.mesh(), first.absent(), varied, with_interface);
+}
+
+/// Throws NumericsError where the sum of a soil is not what is assembled for it.
+void require_sum(const AffineScene& affine, const Scene& soil, const Simulation& first) {
+  const AssembledScene assembled = assemble_scene(soil, *first.mesh(), first.absent(), {}, false);
+  const double far = distance(assembled.compiled->system, affine.at(affine.factors(coefficients_of(soil))).system);
+  if (!(far <= tolerable_distance))
+    throw NumericsError("the equations of these soils are no sum of parts: they differ by " + significant(far, 2));
+}
+
+bool wants_slip(const Simulation& first) {
+  return first.given().sliding && why_no_slip(first).empty();
+}
+
+}  // namespace
+
+std::map<std::string, Coefficients> coefficients_of(const Scene& resolved) {
+  OfRegions all;
+  for (const auto& [name, region] : resolved.regions) all[name] = coefficients(region, resolved.fluid, resolved.gravity);
+  return all;
+}
+
+double error_of_soils(const Simulation& member) {
+  return member.member()->error;
+}
+
+Scene with_all_cells(Scene given) {
+  given.mesh.full_domain = true;
+  return given;
+}
+
+std::vector<Diagnostic> why_no_soils(const Simulation& simulation) {
+  std::vector<Diagnostic> list;
+  for (const Exclusion& reason : excluded(simulation.scene(), Treatment::soil_model))
+    list.push_back({at_key(reason.key), reason.why, reason.cure});
+  if (!simulation.compiled()->caisson) list.push_back({at_key("mesh"), "there is no caisson, and so no F_T", ""});
+  return list;
+}
+
+std::string why_not_of_family(const Scene& one, const Scene& other) {
+  for (const auto& [name, region] : one.regions) {
+    const auto found = other.regions.find(name);
+    if (found == other.regions.end()) return "it has no region '" + name + "'";
+    if (!same_choices(region, found->second))
+      return "numbers of '" + name + "' decide otherwise about its flow, deformation or compressibility";
+  }
+  SystemScene a = system_scene(one), b = system_scene(other);
+  b.regions = a.regions;
+  b.fluid.bulk_modulus = a.fluid.bulk_modulus;
+  return a == b ? "" : "it differs in more than the constants of its regions";
+}
+
+SoilModel::SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options)
+    : first_(first) {
+  const std::vector<Scene> scenes = resolved(first, soils);
+  bonded_ = affine_of(first, scenes, false);
+  require_sum(bonded_, scenes.back(), first);
+  const bool slips = wants_slip(first);
+  SoilFamilyOptions making;
+  making.candidates.push_back(bonded_.factors(coefficients_of(first.scene())));
+  for (const Scene& soil : scenes) making.candidates.push_back(bonded_.factors(coefficients_of(soil)));
+  making.tolerance = options.tolerance;
+  making.most_points = options.most_points;
+  making.progress = part_of(options.progress, 0., slips ? 0.6 : 1.);
+  made_ = make_soil_family(first.scene(), bonded_, making);
+  if (!slips) return;
+  const AffineScene slipping = with_slip(affine_of(first, scenes, true));
+  slipping_terms_ = slipping.terms;
+  std::vector<Factors> points;
+  for (const int i : made_.points)
+    points.push_back(slipping.factors(coefficients_of(i == 0 ? first.scene() : scenes[static_cast<std::size_t>(i - 1)])));
+  slipping_ = soil_family(first.scene(), slipping, points, part_of(options.progress, 0.6, 1.));
+}
+
+Factors SoilModel::factors_of(const Simulation::Parts& parts, const std::vector<AffineTerm>& terms) const {
+  return AffineScene{{}, terms, {}}.factors(coefficients_of(parts.scene));
+}
+
+Simulation SoilModel::member(const Scene& given) const {
+  Simulation::Parts parts = resolved_on(with_all_cells(given), first_.given_mesh());
+  if (const std::string why = why_not_of_family(first_.scene(), parts.scene); !why.empty())
+    throw InputError(Place(), why, "solve it by itself");
+  parts.space = std::make_shared<const Space>(first_.space()->with(parts.scene));
+  parts.unknowns = first_.unknowns();
+  parts.compiled = std::make_shared<const CompiledScene>(with_courses(*first_.compiled(), parts.scene));
+  const Factors factors = factors_of(parts, bonded_.terms);
+  SoilMember member{with_courses(made_.family.at(factors), parts.scene),
+                    family_error(made_.family, parts.scene, factors),
+                    {}};
+  if (slipping_ && parts.scene.sliding) {
+    CompiledScene slips = slipping_->at(factors_of(parts, slipping_terms_));
+    member.slip = SlipSystem{std::move(slips.system), std::move(slips.body_coordinates)};
+  }
+  parts.member = std::make_shared<const SoilMember>(std::move(member));
+  return Simulation(std::move(parts));
+}
+
+}  // namespace upbead

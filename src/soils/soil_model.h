@@ -1,0 +1,64 @@
+// One reduced model for all soils of a case: where it can be made, how, and a scene as a member of it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/affine_scene.h"
+#include "response/soil_family.h"
+#include "upbead/base/error.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// Coefficients of all regions of a resolved scene.
+std::map<std::string, Coefficients> coefficients_of(const Scene& resolved);
+
+/// Why no model can answer other soils of that scene, at its keys; empty where one can.
+std::vector<Diagnostic> why_no_soils(const Simulation& simulation);
+
+/// Why a scene is none of the same with another soil: it differs in more than constants of its regions, or numbers
+/// decide otherwise about flow, deformation or compressibility; "" where it is one. Both are resolved on one mesh.
+std::string why_not_of_family(const Scene& resolved, const Scene& other);
+
+/// The estimated error that a member's model of all soils brings: of the history of F_T over its peak.
+double error_of_soils(const Simulation& member);
+
+/// A scene's given form that is resolved with all cells: soils differ in how far waves come.
+Scene with_all_cells(Scene given);
+
+struct SoilModelOptions {
+  double tolerance = 2e-3;  ///< of the history of F_T over its peak, for each of the soils by its estimate
+  int most_points = 12;
+  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
+};
+
+/// A case's scene, its System as a sum over its soils, and one basis for all of them.
+class SoilModel {
+ public:
+  /// `first`: assembled with all cells; `soils`: scenes as given, on the same mesh, that differ in soils alone. They are
+  /// the candidates for points of the basis and say which constants vary. Throws InputError where one is no member, and
+  /// NumericsError where the sum does not equal an assembled System, or a soil cannot be reduced.
+  SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options);
+
+  /// The scene as a member: what is solved in place of its System, and the error that it brings. Throws InputError as
+  /// Simulation does and where it is no member.
+  Simulation member(const Scene& given) const;
+
+  const AffineScene& bonded() const { return bonded_; }
+  const SoilFamilyMade& made() const { return made_; }
+  const std::optional<SoilFamily>& slipping() const { return slipping_; }
+
+ private:
+  Factors factors_of(const Simulation::Parts& parts, const std::vector<AffineTerm>& terms) const;
+
+  Simulation first_;
+  AffineScene bonded_;
+  SoilFamilyMade made_;
+  std::vector<AffineTerm> slipping_terms_;
+  std::optional<SoilFamily> slipping_;
+};
+
+}  // namespace upbead
