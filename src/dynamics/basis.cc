@@ -9,13 +9,12 @@ namespace upbead {
 
 namespace {
 
-/// Vectors per independent load at the first look, and the fewest from one look to the next, where a quarter of the
-/// present number is added if that is more: a look takes the eigenvalues of a matrix four times as large as there are
-/// vectors.
-constexpr int first_look = 24, vectors_between_looks = 6;
+/// The fewest vectors per independent load from one look to the next, where a quarter of the present number is added if
+/// that is more: a look takes the eigenvalues of a matrix four times as large as there are vectors.
+constexpr int vectors_between_looks = 6;
 
 int vectors_at_first(const ReduceOptions& options) {
-  return std::min(first_look, options.max_vectors);
+  return std::min(options.first_vectors, options.max_vectors);
 }
 
 /// The coordinates that are kept as readings of their own, besides those of the system; -1 stands for one that stays

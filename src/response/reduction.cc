@@ -116,6 +116,7 @@ ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, 
   if (targets.only_shear) options.tolerance_of_others = infinity;
   options.each_load = targets.each_load;
   if (targets.most_vectors) options.max_vectors = *targets.most_vectors;
+  if (targets.first_vectors) options.first_vectors = *targets.first_vectors;
   options.keep_pressures = targets.pressures;
   options.keep_states = targets.states;
   if (compiled.caisson) {

@@ -37,6 +37,9 @@ struct ReductionTargets {
   bool balanced = false;
   /// Readings besides F_T must meet 10 or 20 times this tolerance; that of the scene where none is given.
   std::optional<double> tolerance_of_others = std::nullopt;
+  /// Vectors per independent load at the first comparison, in place of the default: more where a solve costs less than
+  /// the eigenvalues of a comparison.
+  std::optional<int> first_vectors = std::nullopt;
 };
 
 /// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where

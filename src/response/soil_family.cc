@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "base/interrupt.h"
+#include "base/numbers.h"
 #include "base/progress.h"
 #include "dynamics/projection.h"
 #include "dynamics/snapshot_basis.h"
@@ -21,6 +24,8 @@ constexpr double rest_of_point = 1e-5;
 constexpr int most_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;
+/// Estimates that are found side by side.
+constexpr std::size_t estimates_at_once = 4;
 /// Tolerance of the small system's own reduction, over that of the family.
 constexpr double share_of_member = 0.2;
 
@@ -47,6 +52,8 @@ Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const 
   const CompiledScene compiled = family.at(factors, share);
   ReductionTargets targets;
   targets.only_shear = true;
+  targets.first_vectors = first_of_member;
+  targets.most_vectors = most_of_member;
   const Reduction reduction = reduce_scene(scene, compiled, targets);
   const Series series = respond(reduction.model, sampled_loads(scene, compiled.system));
   return series.reading.row(compiled.system.reading(reading::shear_force));
@@ -111,10 +118,36 @@ double family_error(const SoilFamily& family, const Scene& scene, const Factors&
   return nested_safety * (all - fewer).cwiseAbs().maxCoeff() / all.cwiseAbs().maxCoeff();
 }
 
+namespace {
+
+/// The candidate with the largest estimate: those that were far off before come first, and one whose older estimate is
+/// below the largest new one is not looked at again, as estimates fall with every point.
+std::pair<int, double> worst_candidate(const SoilFamily& family, const Scene& scene, const SoilFamilyOptions& options,
+                                       std::vector<double>& estimates) {
+  std::vector<std::size_t> order(estimates.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return estimates[a] > estimates[b]; });
+  double largest = 0.;
+  std::size_t worst = order.front();
+  for (std::size_t i = 0; i < order.size() && estimates[order[i]] > largest; i += estimates_at_once) {
+    const std::size_t n = std::min(estimates_at_once, order.size() - i);
+    in_parallel(n, "", [&](std::size_t j) {
+      double& estimate = estimates[order[i + j]];
+      estimate = family_error(family, scene, options.candidates[order[i + j]]);
+    });
+    for (std::size_t j = i; j < i + n; ++j)
+      if (estimates[order[j]] > largest) largest = estimates[worst = order[j]];
+  }
+  return {static_cast<int>(worst), largest};
+}
+
+}  // namespace
+
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options) {
   const Scene member = for_member(scene, options.tolerance);
   Builder builder(scene, affine, options.candidates.front());
   SoilFamilyMade made;
+  std::vector<double> estimates(options.candidates.size(), infinity);
   int next = 0;
   while (true) {
     check_interrupt();
@@ -124,14 +157,10 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     builder.add_point(options.candidates[static_cast<std::size_t>(next)],
                       part_of(options.progress, begin, 0.5 * (begin + end)));
     made.family = builder.family();
-    std::vector<double> errors(options.candidates.size());
-    in_parallel(errors.size(), "", [&](std::size_t i) {
-      errors[i] = family_error(made.family, member, options.candidates[i]);
-    });
-    const auto worst = std::max_element(errors.begin(), errors.end());
-    made.estimates.push_back(*worst);
-    if (*worst <= options.tolerance || static_cast<int>(made.points.size()) == options.most_points) return made;
-    next = static_cast<int>(worst - errors.begin());
+    const auto [worst, largest] = worst_candidate(made.family, member, options, estimates);
+    made.estimates.push_back(largest);
+    if (largest <= options.tolerance || static_cast<int>(made.points.size()) == options.most_points) return made;
+    next = worst;
   }
 }
 

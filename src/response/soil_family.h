@@ -22,6 +22,10 @@ struct SoilFamily {
   CompiledScene at(const Factors& factors, double share = 1.) const;
 };
 
+/// Vectors per independent load of a member's own reduction: solves cost nothing beside eigenvalues, so that few models
+/// are compared.
+constexpr int first_of_member = 40, most_of_member = 200;
+
 /// Share of the directions that the smaller of two nested models has, by which a family's error is estimated.
 constexpr double nested_share = 0.5;
 /// The estimate is this multiple of the largest difference of both models' F_T, see docs/soils.md.

@@ -12,6 +12,7 @@
 #include "model/words.h"
 #include "response/natural_periods.h"
 #include "response/reduction.h"
+#include "response/soil_family.h"
 #include "response/time_choice.h"
 #include "run/chosen_times.h"
 #include "run/derived.h"
@@ -164,9 +165,11 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
                                      builds_pressure(simulation.scene()));
   const bool by_name = simulation.scene().time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
+  const std::optional<int> first_vectors = everywhere ? std::nullopt : std::optional(first_of_member);
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
-  const ReductionTargets targets{false, false, most_vectors, everywhere, states, true, whole_tolerance(simulation)};
+  const ReductionTargets targets{false, false, most_vectors, everywhere, states, true, whole_tolerance(simulation),
+                                 first_vectors};
   Reduction reduction = reduce_beside(ahead, simulation, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
@@ -238,7 +241,7 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
 Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead,
                       const MarchOptions& marching, const std::function<void(double)>& reducing) {
   const SchemeChoice choice = simulation.member()
-                                  ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", {}}
+                                  ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", most_of_member}
                                   : choose_scheme(simulation.scene(), *simulation.compiled());
   if (choice.scheme == TimeScheme::reduced) ahead->begin();
   Solution solution = climb(simulation, ways(simulation, choice, ahead, reducing), marching);

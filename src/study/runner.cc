@@ -37,6 +37,15 @@ std::string solution_key_of(const Case& problem) {
   return case_schema().echo(tables);
 }
 
+/// None where the model of all soils does not converge for this one.
+std::optional<Solution> solved_as_member(const Case& problem, const Simulation& member, const RunOptions& options) {
+  try {
+    return in_places_of(problem, [&] { return upbead::solve(member, options); });
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
+}
+
 std::string in_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -66,7 +75,12 @@ Simulation Runner::simulation_for(int run, const Case& problem, const std::funct
     shared = Shared::soils;
     return *member;
   }
-  const Simulation simulation = with_room(simulation_after(before_ ? &*before_ : nullptr, problem, mesh));
+  return own_simulation(problem, shared);
+}
+
+Simulation Runner::own_simulation(const Case& problem, Shared& shared) {
+  if (shared == Shared::soils) shared = Shared::mesh;
+  const Simulation simulation = with_room(simulation_after(before_ ? &*before_ : nullptr, problem, mesh_));
   if (before_ && simulation.room() == before_->room()) shared = Shared::system;
   before_ = simulation;
   return simulation;
@@ -80,9 +94,11 @@ Summary Runner::solve(int run, const Case& problem, const std::function<void()>&
     shared = Shared::solution;
   } else {
     solved_.reset();
-    const Simulation simulation = simulation_for(run, problem, meanwhile, shared);
+    Simulation simulation = simulation_for(run, problem, meanwhile, shared);
     read_records(problem, simulation);  // their mistakes come before the work
-    solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
+    if (shared == Shared::soils) solved_ = solved_as_member(problem, simulation, options);
+    if (shared == Shared::soils && !solved_) simulation = own_simulation(problem, shared);
+    if (!solved_) solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
     solution_key_ = key;
     const bool of_its_basis = solved_->n_spared > 0 && solved_->simulation->room() == simulation.room();
     if (shared == Shared::system && of_its_basis) shared = Shared::basis;

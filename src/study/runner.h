@@ -29,6 +29,7 @@ class Runner {
  private:
   Summary solve(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
   std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
+  Simulation own_simulation(const Case& problem, Shared& shared);
   Simulation simulation_for(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
 
   const Study& study_;

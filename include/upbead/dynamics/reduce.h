@@ -25,6 +25,7 @@ struct ReduceOptions {
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
   double tolerance_of_states = 5e-2;  ///< where they are kept: of their largest energy
+  int first_vectors = 24;             ///< per independent load, at the first comparison
   int max_vectors = 100;              ///< per independent load
   bool keep_pressures = false;        ///< see Reduction::pressures; not where `model` is given
   /// See Reduction::states, which must meet `tolerance_of_states`; not where `model` is given.
