@@ -89,6 +89,22 @@ ReducedSystem leading(const ReducedSystem& member, int n_kept, double share) {
   return selected(member, remaining);
 }
 
+ReducedSystem holding(const ReducedSystem& member, int coordinate, int fewer_loads, int fewer_readings) {
+  std::vector<int> remaining;
+  for (int i = 0; i < member.size(); ++i)
+    if (i != coordinate) remaining.push_back(i);
+  ReducedSystem out = selected(member, remaining);
+  const Eigen::Index loads = out.load.cols() - fewer_loads, readings = out.position.rows() - fewer_readings;
+  out.load.conservativeResize(Eigen::NoChange, loads);
+  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
+    rows->conservativeResize(readings, Eigen::NoChange);
+  out.feedthrough.conservativeResize(readings, loads);
+  out.prescribed.resize(static_cast<std::size_t>(loads));
+  out.load_name.resize(static_cast<std::size_t>(loads));
+  out.reading_label.resize(static_cast<std::size_t>(readings));
+  return out;
+}
+
 int unknown_of(const ReducedSystem& member, int coordinate) {
   const int p = member.n_prescribed;
   return coordinate < p ? member.size() - p + coordinate : coordinate - p;

@@ -26,6 +26,9 @@ ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotati
 /// A member without the last coordinates of both kinds: `share` of those that are not kept remain.
 ReducedSystem leading(const ReducedSystem& member, int n_kept, double share);
 
+/// A member with some coordinate held at zero, and without its last loads and readings.
+ReducedSystem holding(const ReducedSystem& member, int coordinate, int fewer_loads, int fewer_readings);
+
 /// A member as a System of its own, small and dense: its unknowns are the coordinates, the prescribed ones last. Loads,
 /// readings and their names are those of `of`, the System that was reduced.
 System as_system(const ReducedSystem& member, const System& of);

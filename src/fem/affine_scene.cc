@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/progress.h"
 #include "fem/system_scene.h"
 
 namespace upbead {
@@ -111,14 +112,17 @@ AffineScene affine_scene(const Scene& scene, const Mesh& mesh, const std::vector
     const Varied here = with_products(found->second);
     fixed.back() = without(fixed.back(), here);
     const System none = compiler.of_region(surface, with_fluid({}));
-    for (int i = 0; i < n_coefficients; ++i) {
-      if (!here[static_cast<std::size_t>(i)]) continue;
+    std::array<System, n_coefficients> parts;
+    in_parallel(parts.size(), "", [&](std::size_t i) {
+      if (!here[i]) return;
       const auto coefficient = static_cast<Coefficient>(i);
-      System part = difference(compiler.of_region(surface, with_fluid(unit_constants(coefficient))), none);
-      if (is_of_damping(coefficient)) part = of_damping(std::move(part));
-      if (is_zero(part)) continue;
-      out.terms.push_back({surface, coefficient});
-      out.parts.push_back(std::move(part));
+      parts[i] = difference(compiler.of_region(surface, with_fluid(unit_constants(coefficient))), none);
+      if (is_of_damping(coefficient)) parts[i] = of_damping(std::move(parts[i]));
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!here[i] || is_zero(parts[i])) continue;
+      out.terms.push_back({surface, static_cast<Coefficient>(i)});
+      out.parts.push_back(std::move(parts[i]));
     }
   }
   out.fixed = with_courses(compiler.whole(fixed), scene);

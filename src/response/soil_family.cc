@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
+#include <set>
 
 #include "base/interrupt.h"
 #include "base/numbers.h"
@@ -12,20 +12,21 @@
 #include "dynamics/snapshot_basis.h"
 #include "fem/caisson/reading_names.h"
 #include "response/reduction.h"
-#include "response/slip_reduction.h"
 #include "system/interface.h"
 
 namespace upbead {
 
 namespace {
 
+/// Vectors of a point per independent load: of one load, and of each of several, whose spaces have much in common.
+constexpr int vectors_of_one = 60, vectors_of_several = 40;
 /// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
 constexpr double rest_of_point = 1e-5;
 constexpr int most_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;
-/// Estimates that are found side by side.
-constexpr std::size_t estimates_at_once = 4;
+/// Estimates that are found side by side, and points that are solved so.
+constexpr std::size_t estimates_at_once = 4, points_at_once = 2;
 /// Tolerance of the small system's own reduction, over that of the family.
 constexpr double share_of_member = 0.2;
 
@@ -33,6 +34,7 @@ SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compil
   SnapshotOptions options;
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
+  options.vectors = compiled.system.loads.size() > 1 ? vectors_of_several : vectors_of_one;
   const SampledLoads loads = sampled_loads(scene, compiled.system);
   options.frequencies = snapshot_frequencies(loads.time.back(), beyond_band * bandwidth(scene), most_frequencies);
   options.weights = snapshot_weights(loads, options.frequencies);
@@ -59,6 +61,11 @@ Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const 
   return series.reading.row(compiled.system.reading(reading::shear_force));
 }
 
+System without_matrices(System system) {
+  for (SparseMatrix* A : {&system.M, &system.C, &system.K, &system.radiation}) A->resize(0, 0);
+  return system;
+}
+
 /// Basis and projections, which grow point by point.
 class Builder {
  public:
@@ -71,27 +78,27 @@ class Builder {
     for (const System& part : affine.parts) add_projection(part);
   }
 
-  void add_point(const Factors& factors, const std::function<void(double)>& progress) {
-    snapshots_.progress = progress;
-    basis_.add(snapshots(affine_.at(factors).system, snapshots_), rest_of_point);
+  /// Solves the soils side by side.
+  void add_points(const std::vector<Factors>& points, const std::function<void(double)>& progress) {
+    std::vector<Snapshots> found(points.size());
+    in_parallel(points.size(), "", [&](std::size_t i) {
+      SnapshotOptions options = snapshots_;
+      if (i == 0) options.progress = progress;
+      found[i] = snapshots(affine_.at(points[i]).system, options);
+    });
+    for (const Snapshots& of_point : found) basis_.add(of_point, rest_of_point);
     for (Projection& projection : projections_) projection.extend();
   }
 
-  SoilFamily family() const {
+  ReducedFamily family() const {
     ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept()};
     for (std::size_t q = 1; q < projections_.size(); ++q) reduced.parts.push_back(projections_[q].reduced());
-    return {rotated(reduced, basis_.sorting()), without_matrices(affine_.fixed)};
+    return rotated(reduced, basis_.sorting());
   }
 
  private:
   void add_projection(const System& part) {
     projections_.emplace_back(part, basis_.displacements(), basis_.phi(), snapshots_.shift);
-  }
-
-  static CompiledScene without_matrices(CompiledScene compiled) {
-    for (SparseMatrix* A : {&compiled.system.M, &compiled.system.C, &compiled.system.K, &compiled.system.radiation})
-      A->resize(0, 0);
-    return compiled;
   }
 
   const AffineScene& affine_;
@@ -105,11 +112,21 @@ class Builder {
 CompiledScene SoilFamily::at(const Factors& factors, double share) const {
   ReducedSystem member = reduced.at(factors);
   if (share < 1.) member = leading(member, reduced.n_kept, share);
+  if (slipping)
+    member = holding(member, reduced.n_kept - 1, static_cast<int>(slipping->loads.size() - like.system.loads.size()),
+                     static_cast<int>(slipping->readings.size() - like.system.readings.size()));
   CompiledScene compiled = like;
   compiled.system = as_system(member, like.system);
   for (std::size_t i = 0; i < compiled.body_coordinates.size(); ++i)
     compiled.body_coordinates[i] = unknown_of(member, member.n_prescribed + static_cast<int>(i));
   return compiled;
+}
+
+SlipSystem SoilFamily::slips_at(const Factors& factors) const {
+  const ReducedSystem member = reduced.at(factors);
+  SlipSystem out{as_system(member, *slipping), {}};
+  for (int i = member.n_prescribed; i < reduced.n_kept; ++i) out.exact.push_back(unknown_of(member, i));
+  return out;
 }
 
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors) {
@@ -120,59 +137,100 @@ double family_error(const SoilFamily& family, const Scene& scene, const Factors&
 
 namespace {
 
-/// The candidate with the largest estimate: those that were far off before come first, and one whose older estimate is
-/// below the largest new one is not looked at again, as estimates fall with every point.
-std::pair<int, double> worst_candidate(const SoilFamily& family, const Scene& scene, const SoilFamilyOptions& options,
-                                       std::vector<double>& estimates) {
-  std::vector<std::size_t> order(estimates.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return estimates[a] > estimates[b]; });
-  double largest = 0.;
-  std::size_t worst = order.front();
-  for (std::size_t i = 0; i < order.size() && estimates[order[i]] > largest; i += estimates_at_once) {
-    const std::size_t n = std::min(estimates_at_once, order.size() - i);
-    in_parallel(n, "", [&](std::size_t j) {
-      double& estimate = estimates[order[i + j]];
-      estimate = family_error(family, scene, options.candidates[order[i + j]]);
-    });
-    for (std::size_t j = i; j < i + n; ++j)
-      if (estimates[order[j]] > largest) largest = estimates[worst = order[j]];
+/// Which candidates are far off, and how far.
+class Candidates {
+ public:
+  Candidates(const Scene& scene, const SoilFamilyOptions& options)
+      : scene_(scene), options_(options), estimates_(options.candidates.size(), infinity) {}
+
+  /// The candidates with the largest estimates that are no points yet. Those that were far off before are looked at
+  /// first, and one whose older estimate is below the largest new one is not looked at again, as estimates fall with
+  /// every point.
+  std::vector<int> worst(const SoilFamily& family, std::size_t n) {
+    double largest = 0.;
+    std::size_t looked = 0;
+    const std::vector<std::size_t> order = by_estimate();
+    for (; looked < order.size() && (looked < n || estimates_[order[looked]] > largest);
+         looked = std::min(looked + estimates_at_once, order.size())) {
+      const std::size_t many = std::min(estimates_at_once, order.size() - looked);
+      in_parallel(many, "", [&](std::size_t j) {
+        estimates_[order[looked + j]] = family_error(family, scene_, options_.candidates[order[looked + j]]);
+      });
+      for (std::size_t j = looked; j < looked + many; ++j) largest = std::max(largest, estimates_[order[j]]);
+    }
+    std::vector<int> list;
+    for (const std::size_t i : by_estimate())
+      if (list.size() < n && estimates_[i] > options_.tolerance && points_.count(i) == 0)
+        list.push_back(static_cast<int>(i));
+    return list;
   }
-  return {static_cast<int>(worst), largest};
+  double largest() const { return *std::max_element(estimates_.begin(), estimates_.end()); }
+  Factors take(int candidate) {
+    points_.insert(static_cast<std::size_t>(candidate));
+    return options_.candidates[static_cast<std::size_t>(candidate)];
+  }
+
+ private:
+  std::vector<std::size_t> by_estimate() const {
+    std::vector<std::size_t> order(estimates_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return estimates_[a] > estimates_[b]; });
+    return order;
+  }
+
+  const Scene& scene_;
+  const SoilFamilyOptions& options_;
+  std::vector<double> estimates_;
+  std::set<std::size_t> points_;
+};
+
+/// The candidate that lies farthest from the first one, by the logarithms of its factors.
+int farthest(const std::vector<Factors>& candidates) {
+  int found = 0;
+  double largest = 0.;
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    double square = 0.;
+    for (std::size_t q = 0; q < candidates[i].size(); ++q)
+      if (candidates[i][q] > 0. && candidates[0][q] > 0.)
+        square += std::pow(std::log(candidates[i][q] / candidates[0][q]), 2);
+    if (square > largest) {
+      largest = square;
+      found = static_cast<int>(i);
+    }
+  }
+  return found;
 }
 
 }  // namespace
 
-SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options) {
+SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
+                                const SoilFamilyOptions& options) {
   const Scene member = for_member(scene, options.tolerance);
   Builder builder(scene, affine, options.candidates.front());
+  Candidates candidates(member, options);
   SoilFamilyMade made;
-  std::vector<double> estimates(options.candidates.size(), infinity);
-  int next = 0;
-  while (true) {
+  made.family.like = like;
+  made.family.like.system = without_matrices(like.system);
+  if (affine.fixed.system.loads.size() > like.system.loads.size())
+    made.family.slipping = without_matrices(affine.fixed.system);
+  std::vector<int> next{0};
+  if (const int far = farthest(options.candidates); far > 0) next.push_back(far);
+  while (!next.empty()) {
     check_interrupt();
+    std::vector<Factors> points;
+    for (const int i : next) points.push_back(candidates.take(i));
     const double begin = static_cast<double>(made.points.size()) / options.most_points;
-    const double end = begin + 1. / options.most_points;
-    made.points.push_back(next);
-    builder.add_point(options.candidates[static_cast<std::size_t>(next)],
-                      part_of(options.progress, begin, 0.5 * (begin + end)));
-    made.family = builder.family();
-    const auto [worst, largest] = worst_candidate(made.family, member, options, estimates);
-    made.estimates.push_back(largest);
-    if (largest <= options.tolerance || static_cast<int>(made.points.size()) == options.most_points) return made;
-    next = worst;
+    made.points.insert(made.points.end(), next.begin(), next.end());
+    const double end = static_cast<double>(made.points.size()) / options.most_points;
+    builder.add_points(points, part_of(options.progress, begin, 0.5 * (begin + end)));
+    made.family.reduced = builder.family();
+    next = candidates.worst(made.family, points_at_once);
+    made.estimates.push_back(candidates.largest());
+    const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();
+    next.resize(std::min(next.size(), left));
   }
-}
-
-SoilFamily soil_family(const Scene& scene, const AffineScene& affine, const std::vector<Factors>& points,
-                       const std::function<void(double)>& progress) {
-  Builder builder(scene, affine, points.front());
-  const auto n = static_cast<double>(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    check_interrupt();
-    builder.add_point(points[i], part_of(progress, static_cast<double>(i) / n, static_cast<double>(i + 1) / n));
-  }
-  return builder.family();
+  return made;
 }
 
 AffineScene with_slip(const AffineScene& affine) {

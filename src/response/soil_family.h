@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "dynamics/reduced_family.h"
 #include "fem/affine_scene.h"
+#include "response/slip_reduction.h"
 
 namespace upbead {
 
@@ -15,11 +17,16 @@ using Factors = std::vector<double>;
 /// A scene in one basis for all its soils.
 struct SoilFamily {
   ReducedFamily reduced;
-  CompiledScene like;  ///< of the scene that was reduced; its system has no matrices
+  CompiledScene like;  ///< of the bonded scene that was reduced; its system has no matrices
+  /// Where the family is that of a caisson that slips as a whole: its system, without matrices. The bonded one is that
+  /// with s = 0, whose coordinate is the last that is kept.
+  std::optional<System> slipping;
 
-  /// The scene with that soil as a small dense System, whose unknowns are coordinates of the basis; `share`: of the
-  /// basis that is used, see leading().
+  /// The bonded scene with that soil as a small dense System, whose unknowns are coordinates of the basis; `share`: of
+  /// the basis that is used, see leading().
   CompiledScene at(const Factors& factors, double share = 1.) const;
+  /// The same of a caisson that slips, see slip_system(). To be called where `slipping` is there.
+  SlipSystem slips_at(const Factors& factors) const;
 };
 
 /// Vectors per independent load of a member's own reduction: solves cost nothing beside eigenvalues, so that few models
@@ -45,14 +52,12 @@ struct SoilFamilyMade {
   std::vector<double> estimates;  ///< largest estimate over the candidates, after each point
 };
 
-/// Solves soil by soil, each time the one with the largest estimate (a greedy choice: Veroy, Prud'homme, Rovas and
-/// Patera 2003), until all candidates meet the tolerance, or `most_points` are solved. Throws NumericsError as
-/// snapshots() does.
-SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const SoilFamilyOptions& options);
-
-/// The family of given points, without a choice.
-SoilFamily soil_family(const Scene& scene, const AffineScene& affine, const std::vector<Factors>& points,
-                       const std::function<void(double)>& progress = {});
+/// Solves soils, two side by side, each time those with the largest estimates (a greedy choice: Veroy, Prud'homme,
+/// Rovas and Patera 2003), until all candidates meet the tolerance, or `most_points` are solved. `affine` is of the
+/// bonded scene or, see with_slip(), of a caisson that slips; `like`: the bonded scene, compiled. Throws NumericsError
+/// as snapshots() does.
+SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
+                                const SoilFamilyOptions& options);
 
 /// The parts of a scene with an interface, for a caisson that slips as a whole: its systems are those of slip_system(),
 /// its body_coordinates the unknowns that are kept exactly.

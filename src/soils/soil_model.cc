@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/progress.h"
 #include "base/text.h"
 #include "fem/system_scene.h"
 #include "model/exclusions.h"
@@ -48,9 +47,11 @@ AffineScene affine_of(const Simulation& first, const std::vector<Scene>& soils, 
 }
 
 /// Throws NumericsError where the sum of a soil is not what is assembled for it.
-void require_sum(const AffineScene& affine, const Scene& soil, const Simulation& first) {
-  const AssembledScene assembled = assemble_scene(soil, *first.mesh(), first.absent(), {}, false);
-  const double far = distance(assembled.compiled->system, affine.at(affine.factors(coefficients_of(soil))).system);
+void require_sum(const AffineScene& affine, const Scene& soil, const Simulation& first, bool slips) {
+  const AssembledScene assembled = assemble_scene(soil, *first.mesh(), first.absent(), {}, slips);
+  const System summed = affine.at(affine.factors(coefficients_of(soil))).system;
+  const double far =
+      distance(slips ? slip_system(*assembled.compiled).system : assembled.compiled->system, summed);
   if (!(far <= tolerable_distance))
     throw NumericsError("the equations of these soils are no sum of parts: they differ by " + significant(far, 2));
 }
@@ -100,27 +101,18 @@ std::string why_not_of_family(const Scene& one, const Scene& other) {
 SoilModel::SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options)
     : first_(first) {
   const std::vector<Scene> scenes = resolved(first, soils);
-  bonded_ = affine_of(first, scenes, false);
-  require_sum(bonded_, scenes.back(), first);
   const bool slips = wants_slip(first);
+  AffineScene affine = affine_of(first, scenes, slips);
+  if (slips) affine = with_slip(affine);
+  require_sum(affine, scenes.back(), first, slips);
+  terms_ = affine.terms;
   SoilFamilyOptions making;
-  making.candidates.push_back(bonded_.factors(coefficients_of(first.scene())));
-  for (const Scene& soil : scenes) making.candidates.push_back(bonded_.factors(coefficients_of(soil)));
+  making.candidates.push_back(affine.factors(coefficients_of(first.scene())));
+  for (const Scene& soil : scenes) making.candidates.push_back(affine.factors(coefficients_of(soil)));
   making.tolerance = options.tolerance;
   making.most_points = options.most_points;
-  making.progress = part_of(options.progress, 0., slips ? 0.6 : 1.);
-  made_ = make_soil_family(first.scene(), bonded_, making);
-  if (!slips) return;
-  const AffineScene slipping = with_slip(affine_of(first, scenes, true));
-  slipping_terms_ = slipping.terms;
-  std::vector<Factors> points;
-  for (const int i : made_.points)
-    points.push_back(slipping.factors(coefficients_of(i == 0 ? first.scene() : scenes[static_cast<std::size_t>(i - 1)])));
-  slipping_ = soil_family(first.scene(), slipping, points, part_of(options.progress, 0.6, 1.));
-}
-
-Factors SoilModel::factors_of(const Simulation::Parts& parts, const std::vector<AffineTerm>& terms) const {
-  return AffineScene{{}, terms, {}}.factors(coefficients_of(parts.scene));
+  making.progress = options.progress;
+  made_ = make_soil_family(first.scene(), affine, *first.compiled(), making);
 }
 
 Simulation SoilModel::member(const Scene& given) const {
@@ -130,13 +122,14 @@ Simulation SoilModel::member(const Scene& given) const {
   parts.space = std::make_shared<const Space>(first_.space()->with(parts.scene));
   parts.unknowns = first_.unknowns();
   parts.compiled = std::make_shared<const CompiledScene>(with_courses(*first_.compiled(), parts.scene));
-  const Factors factors = factors_of(parts, bonded_.terms);
+  const Factors factors = AffineScene{{}, terms_, {}}.factors(coefficients_of(parts.scene));
   SoilMember member{with_courses(made_.family.at(factors), parts.scene),
                     family_error(made_.family, parts.scene, factors),
                     {}};
-  if (slipping_ && parts.scene.sliding) {
-    CompiledScene slips = slipping_->at(factors_of(parts, slipping_terms_));
-    member.slip = SlipSystem{std::move(slips.system), std::move(slips.body_coordinates)};
+  if (made_.family.slipping && parts.scene.sliding) {
+    member.slip = made_.family.slips_at(factors);
+    for (std::size_t k = 0; k < member.compiled.system.loads.size(); ++k)
+      member.slip->system.loads[k].history = member.compiled.system.loads[k].history;
   }
   parts.member = std::make_shared<const SoilMember>(std::move(member));
   return Simulation(std::move(parts));

@@ -47,18 +47,14 @@ class SoilModel {
   /// Simulation does and where it is no member.
   Simulation member(const Scene& given) const;
 
-  const AffineScene& bonded() const { return bonded_; }
+  const Simulation& first() const { return first_; }
+  const std::vector<AffineTerm>& terms() const { return terms_; }
   const SoilFamilyMade& made() const { return made_; }
-  const std::optional<SoilFamily>& slipping() const { return slipping_; }
 
  private:
-  Factors factors_of(const Simulation::Parts& parts, const std::vector<AffineTerm>& terms) const;
-
   Simulation first_;
-  AffineScene bonded_;
+  std::vector<AffineTerm> terms_;  ///< by part of the family
   SoilFamilyMade made_;
-  std::vector<AffineTerm> slipping_terms_;
-  std::optional<SoilFamily> slipping_;
 };
 
 }  // namespace upbead

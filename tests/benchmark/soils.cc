@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   options.candidates.push_back(affine.factors(nominal));
   for (int i = 0; i < 15; ++i) options.candidates.push_back(affine.factors(of_regions(scene, random_soil(scene.regions, rng, damped))));
   watch = {};
-  const SoilFamilyMade made = make_soil_family(scene, affine, options);
+  const SoilFamilyMade made = make_soil_family(scene, affine, *s.compiled(), options);
   int n_phi = 0;
   for (const bool p : made.family.reduced.fixed.is_phi) n_phi += p;
   std::cout << "family of " << made.points.size() << " points, R = " << made.family.reduced.fixed.size() - n_phi << " + "
