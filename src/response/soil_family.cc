@@ -21,7 +21,7 @@ namespace {
 /// Vectors of a point per independent load: of one load, and of each of several, whose spaces have much in common.
 constexpr int vectors_of_one = 60, vectors_of_several = 40;
 /// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
-constexpr double rest_of_point = 1e-5;
+constexpr double rest_of_point = 3e-6;
 constexpr int most_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;

@@ -14,7 +14,7 @@ namespace {
 /// Soils that may become points of the basis: enough to see the corners of a box of a dozen keys.
 constexpr std::size_t most_candidates = 24;
 /// Share of the scenes' tolerance that the basis may take.
-constexpr double share_of_tolerance = 0.8;
+constexpr double share_of_tolerance = 0.6;
 
 bool begins(const std::string& text, const std::string& with) {
   return text.compare(0, with.size(), with) == 0;
