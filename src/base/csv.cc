@@ -183,7 +183,7 @@ class Reader {
     table_.faults.resize(shape_.n);
     grouped_.resize(shape_.n);
     row_.resize(shape_.n);
-    table_.layout = describe(shape_.dialect) +
+    table_.layout = text_of(shape_.dialect) +
                     (head.line == 0 ? ", no names above the numbers" : ", names in line " + std::to_string(head.line)) +
                     (head.unit_line == 0 ? "" : ", units in line " + std::to_string(head.unit_line));
   }

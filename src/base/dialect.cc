@@ -187,7 +187,7 @@ std::string separators(const Dialect& dialect) {
   }
 }
 
-std::string describe(const Dialect& dialect) {
+std::string text_of(const Dialect& dialect) {
   return "columns separated by " + separators(dialect) + ", decimal " + (dialect.decimal == '.' ? "points" : "commas");
 }
 

@@ -20,7 +20,7 @@ struct Dialect {
 std::string separators(const Dialect& dialect);
 
 /// "columns separated by semicolons, decimal commas".
-std::string describe(const Dialect& dialect);
+std::string text_of(const Dialect& dialect);
 
 struct Cell {
   std::string_view text;  ///< without blanks and quotes around it

@@ -45,7 +45,7 @@ void Progress::update(double done) {
   drawn_at_ = now;
 }
 
-std::function<void(double)> watched(const std::string& what) {
+std::function<void(double)> shown_progress(const std::string& what) {
   return [line = std::make_shared<Progress>(what)](double done) {
     check_interrupt();
     line->update(done);

@@ -33,7 +33,7 @@ class Progress {
 
 /// A function to be called with the share of long work that is done: shows it as `what`, and throws Interrupted where a
 /// signal has been noted. The line goes with the last copy of the function.
-std::function<void(double)> watched(const std::string& what);
+std::function<void(double)> shown_progress(const std::string& what);
 
 /// A function that takes the progress of a part of the work, from `from` to `to`, and passes on that of the whole;
 /// null if `progress` is null.

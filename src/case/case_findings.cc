@@ -119,7 +119,8 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
             "of a [record](records.md#the-response) of `[measured]`");
   };
   f.parts.emplace_back([input, records](const Evidence& e, Summary& s) {
-    if (!records->empty()) s.measured = compare_measured(*input, *records, histories(e.simulation, e.of(find_history)));
+    if (!records->empty())
+      s.measured = compare_measured(*input, *records, histories(e.simulation, e.of(find_history).series));
   });
   f.warnings = [records](const Evidence&, const Summary&) {
     NumberedWarnings list;

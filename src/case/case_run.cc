@@ -4,17 +4,25 @@
 #include "case/case_findings.h"
 #include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
-#include "case/time_end.h"
 #include "case/wave_load.h"
 #include "findings/histories.h"
 
 namespace upbead {
 
-Scene scene_on(const Case& input, const Mesh& mesh) {
+namespace {
+
+/// The case's scene with what follows with the mesh: profiles, its end, pieces of its loads.
+Scene scene_on(const Case& input, const Mesh& mesh, double end) {
   Scene scene = with_profiles(input, mesh);
-  if (end_is_open(input)) scene.time.end = settled_end(input, mesh).seconds;
+  scene.time.end = end;
   place_flows(input, mesh, scene);
   return scene;
+}
+
+}  // namespace
+
+Scene scene_on(const Case& input, const Mesh& mesh) {
+  return scene_on(input, mesh, end_on(input, mesh));
 }
 
 Simulation simulation_by(
@@ -52,19 +60,20 @@ std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& si
 
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           const RunOptions& options) {
-  return in_places_of(input, [&] {
-    Run run{solve(simulation, options), {}};
-    run.summary = find(run, options.progress, case_findings(&input, &records));
-    return run;
-  });
+  return in_places_of(
+      input, [&] { return run_of(solve(simulation, options), options.progress, case_findings(&input, &records)); });
+}
+
+Run solve(const Case& input, const Simulation& simulation, const RunOptions& options) {
+  return solve(input, simulation, read_records(input, simulation), options);
 }
 
 Run answer(const Case& input, const Solution& solution, const std::function<void(double)>& progress) {
   return in_places_of(input, [&] {
-    Run run{with_sliding(solution, scene_on(input, *solution.simulation->given_mesh())), {}};
-    const std::vector<MeasuredRecord> records = read_records(input, *run.simulation);
-    run.summary = find(run, progress, case_findings(&input, &records));
-    return run;
+    const Simulation& solved = *solution.simulation;
+    Solution same = with_sliding(solution, scene_on(input, *solved.given_mesh(), solved.given().time.end));
+    const std::vector<MeasuredRecord> records = read_records(input, *same.simulation);
+    return run_of(std::move(same), progress, case_findings(&input, &records));
   });
 }
 

@@ -1,8 +1,11 @@
-// A case from its file to its results: reads the mesh, solves the scene, compares the results with the records.
+// Runs of a case beside upbead/case/case_run.h: after other runs, with records that were read before, with what is
+// told.
 #pragma once
 
+#include <functional>
+
 #include "records/measured.h"
-#include "upbead/case/case.h"
+#include "upbead/case/case_run.h"
 #include "upbead/findings/find.h"
 #include "upbead/run/simulation.h"
 
@@ -18,20 +21,12 @@ auto in_places_of(const Case& input, const Work& work) {
   }
 }
 
-/// The end of a case that gives no time.end: when its loads are over and the section has come to rest after them.
-struct SettledEnd {
-  double seconds = 0.;
-  std::string why;  ///< for people, with the numbers
-};
-SettledEnd settled_end(const Case& input, const Mesh& mesh);
+/// The end of a case on its mesh (s). Where it gives no time.end: when its loads are over and the section has come to
+/// rest after them.
+double end_on(const Case& input, const Mesh& mesh);
 
-/// Where the case gives no end, reads its mesh and sets the end; returns that mesh, null where the end is given.
+/// Where the case gives no end, reads its mesh and sets the end, and why; returns that mesh, null where it is given.
 std::shared_ptr<const Mesh> settle_end(Case& input);
-
-/// The case's scene on its mesh; its end is settled_end() where the case gives none; the mesh is read where it is not
-/// given. Throws InputError with all mistakes at their places in the case.
-Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
-                         std::shared_ptr<const Processes> processes = nullptr);
 
 /// The case's scene with what follows with the mesh: profiles, an end that is left to be chosen, pieces of its loads.
 Scene scene_on(const Case& input, const Mesh& mesh);
@@ -42,14 +37,13 @@ Simulation simulation_by(
     const Case& input, std::shared_ptr<const Mesh> mesh,
     const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make);
 
-/// The same on one process, after another simulation, see Simulation.
+/// simulation_of(input, mesh) on one process, after another simulation, see Simulation.
 Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh);
 
 /// The measured records with which the results are compared. Throws InputError with every mistake in them.
 std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& simulation);
 
-/// Every run of a case ends here: solves it, compares the results with the records and transducers, and reports what
-/// of the files was left out or may be wrong. Throws as Simulation::run, at places of the case.
+/// Every run of a case ends here: the same with records that were read before the work.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           const RunOptions& options = {});
 
@@ -72,6 +66,6 @@ std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& s
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation);
 
-std::string describe(const std::vector<GaugeSummary>& gauges);
+std::string text_of(const std::vector<GaugeSummary>& gauges);
 
 }  // namespace upbead

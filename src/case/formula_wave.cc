@@ -138,7 +138,7 @@ double turned_angle(const WaveGiven& wave, const Section& section) {
   return wave.direction && section.facing ? turned_angle(*wave.direction, *section.facing).turned : wave.angle;
 }
 
-std::string describe_direction(const WaveGiven& wave, const Section& section) {
+std::string direction_text(const WaveGiven& wave, const Section& section) {
   if (!wave.direction || !section.facing) return "";
   const TurnedAngle angle = turned_angle(*wave.direction, *section.facing);
   return "it comes from " + significant(*wave.direction, 4) + " degrees, the wall looks at " +

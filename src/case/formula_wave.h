@@ -30,7 +30,7 @@ struct WaveGiven {
 double turned_angle(const WaveGiven& wave, const Section& section);
 
 /// How the direction became beta, in words; "" where the angle is given.
-std::string describe_direction(const WaveGiven& wave, const Section& section);
+std::string direction_text(const WaveGiven& wave, const Section& section);
 
 /// Which force the caisson's dynamics are computed for.
 enum class ImpactForce { impulse, goda_with_alpha_I, proverbs };

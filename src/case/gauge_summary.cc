@@ -86,7 +86,7 @@ std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& s
   return list;
 }
 
-std::string describe(const std::vector<GaugeSummary>& gauges) {
+std::string text_of(const std::vector<GaugeSummary>& gauges) {
   std::string text;
   for (const GaugeSummary& g : gauges) {
     text += "gauges      " + g.name + ": " + std::to_string(g.gauges) + " transducers, " + std::to_string(g.samples) +

@@ -31,6 +31,12 @@ double shear_modulus(const Region& region) {
   return region.shear_modulus ? *region.shear_modulus : *region.youngs_modulus / (2. * (1. + *region.poissons_ratio));
 }
 
+/// The end, and why, for people, with the numbers.
+struct SettledEnd {
+  double seconds = 0.;
+  std::string why;
+};
+
 struct Parts {
   Part ground, caisson;
   double consolidation = 0.;  ///< of the slowest region, H^2/c_v (s)
@@ -90,8 +96,6 @@ double rounded_up(double value) {
   return std::ceil(value / unit * (1. - 1e-9)) * unit;
 }
 
-}  // namespace
-
 SettledEnd settled_end(const Case& input, const Mesh& mesh) {
   const double loads = end_of_actions(input);
   const bool inertia = input.scene.time.inertia;
@@ -108,11 +112,20 @@ SettledEnd settled_end(const Case& input, const Mesh& mesh) {
   return end;
 }
 
+}  // namespace
+
+double end_on(const Case& input, const Mesh& mesh) {
+  const bool is_known = !end_is_open(input) || !input.why_end.empty();
+  return is_known ? input.scene.time.end : settled_end(input, mesh).seconds;
+}
+
 std::shared_ptr<const Mesh> settle_end(Case& input) {
   if (!end_is_open(input)) return nullptr;
   return in_places_of(input, [&] {
     std::shared_ptr<const Mesh> mesh = read_mesh(mesh_request(input));
-    input.scene.time.end = settled_end(input, *mesh).seconds;
+    SettledEnd end = settled_end(input, *mesh);
+    input.scene.time.end = end.seconds;
+    input.why_end = std::move(end.why);
     return mesh;
   });
 }

@@ -259,7 +259,7 @@ std::string peak_words(const WaveLoad& w) {
            significant(w.standing->wave.residual(), 2);
   if (w.table.force == ImpactForce::impulse) return impact_peak_words(w);
   if (w.breaking)
-    return "peak by " + describe(*with_force(w.table.impact, w.table.force).proverbs, *w.breaking) + ": " +
+    return "peak by " + text_of(*with_force(w.table.impact, w.table.force).proverbs, *w.breaking) + ": " +
            significant(w.impact->peak / w.pressure.force) + " of Goda's P" +
            (w.pressure.alpha_star > 0. ? ", as peak_gain = " + significant(gain_of(w, w.impact->peak)) : "");
   return std::string("peak P by Goda's formulas with alpha* = ") +
@@ -279,7 +279,7 @@ std::vector<std::string> assumptions_of(const WaveLoad& w) {
   if (w.table.number > 1)
     list.push_back(std::to_string(w.table.number) + " equal waves in a row, one in " + significant(w.wave.period) +
                    " s; an uplift that is held stays at its peak from the first on, on the safe side");
-  if (const std::string direction = describe_direction(w.table, w.section); !direction.empty())
+  if (const std::string direction = direction_text(w.table, w.section); !direction.empty())
     list.push_back("direction: " + direction);
   return list;
 }
@@ -487,7 +487,7 @@ Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& l
   return list;
 }
 
-std::string describe(const std::vector<WaveLoadSummary>& waves) {
+std::string text_of(const std::vector<WaveLoadSummary>& waves) {
   std::string text;
   for (const WaveLoadSummary& w : waves) {
     text += "wave        " + w.name + ": H " + significant(w.height, 4) + " m, H_1/3 " +

@@ -44,10 +44,8 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 DesignOutput waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {{},
-          json_text(to_json(design, answers)),
-          describe(design, answers) + "\n",
-          describe(warnings_of(design, answers))};
+  return {
+      {}, json_text(to_json(design, answers)), text_of(design, answers) + "\n", describe(warnings_of(design, answers))};
 }
 
 DesignOutput expected(const Design& design, const Stopwatch& since_start) {
@@ -58,7 +56,7 @@ DesignOutput expected(const Design& design, const Stopwatch& since_start) {
   timing.total = since_start.seconds();
   return {{{"results.h5", results}},
           json_text(to_json(design, answer, timing)),
-          describe(design, answer),
+          text_of(design, answer),
           note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }
 
@@ -66,7 +64,7 @@ DesignOutput calibrated(const Design& design, const Stopwatch&) {
   const Calibration found = calibrate(design);
   return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
           to_json(design, found),
-          describe(design, found),
+          text_of(design, found),
           describe(warnings_of(design, found))};
 }
 

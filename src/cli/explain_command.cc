@@ -71,7 +71,7 @@ const OutputSchema<Explained>& explained_outputs() {
           .key(
               "cells", [](const Simulation& s) { return s.mesh()->triangulation.n_active_cells(); }, "", "cells")
           .key(
-              "unknowns", [](const Simulation& s) { return s.compiled()->system.n_free(); }, "", "unknowns")
+              "unknowns", [](const Simulation& s) { return s.system().n_free(); }, "", "unknowns")
           .key("degree", inner(&Simulation::space, &Space::degree), "", "degree of the displacement");
   const auto yielding =
       OutputSchema<YieldingExtent>()

@@ -142,7 +142,7 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
 }
 
 void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
-  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled()->system.size()) return;
+  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.system().size()) return;
   throw InputError(
       input.place("time.end"),
       "with this end the scene has other unknowns than the run that was interrupted: cells that no wave "

@@ -112,7 +112,7 @@ int read(const ReadOptions& options) {
   const FlowRecord record = read_flow(options.path, keys.file, {});
   std::vector<FlowColumn> columns = columns_of(record);
   Json json = json_of(record);
-  std::string text = describe(record);
+  std::string text = text_of(record);
   const bool only_file = options.keys.size() == 1 && !keys.file.empty();
   if (!options.keys.empty() && !only_file) {
     FlowContext context{"", &document, keys.gravity};
@@ -122,7 +122,7 @@ int read(const ReadOptions& options) {
     const FlowLoad load = understand(record, keys, context);
     columns = columns_of(load);
     json["load"] = json_of(load);
-    text += describe("as a load", load);
+    text += text_of("as a load", load);
   }
   if (!options.out.empty()) {
     std::vector<InputFile> inputs;

@@ -55,7 +55,7 @@ ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
 
 /// The bottom of the caisson; none where W' is not known.
 std::optional<ModelBase> model_base(const Simulation& simulation) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
   const std::optional<EffectiveBase> base = effective_base(simulation, none);
   if (!base) return std::nullopt;
@@ -83,14 +83,14 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;
   file.error_peak = reduction.error.peak;
-  file.unknowns = simulation.compiled()->system.n_free();
+  file.unknowns = simulation.system().n_free();
   file.solves = reduction.n_solves;
   file.factorisations = 1;
   return file;
 }
 
 /// Shows the progress, and ends the work where the user interrupts.
-std::function<void(double)> watched(Progress& progress) {
+std::function<void(double)> shown_by(Progress& progress) {
   return [&progress](double done) {
     check_interrupt();
     progress.update(done);
@@ -101,12 +101,12 @@ std::function<void(double)> watched(Progress& progress) {
 Nested nest(const Simulation& simulation, const Reduction& reduction) {
   Progress progress("reducing further");
   const Stopwatch watch;
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const NestedSpace space{krylov_shift(simulation.scene()), reduction.n_vectors,
                           simulation.compiled()->body_coordinates};
   Nested nested;
   try {
-    nested.models = nested_models(system, space, {system.reading(reading::shear_force)}, watched(progress));
+    nested.models = nested_models(system, space, {system.reading(reading::shear_force)}, shown_by(progress));
     for (ModalModel* model : {&nested.models->middle, &nested.models->reference}) join_pore_pressures(*model);
   } catch (const NumericsError& error) {
     nested.models.reset();
@@ -124,7 +124,7 @@ Simulation simulation_for_waves(const Case& input, const Simulation& simulation)
   for (const Exclusion& reason : excluded(input.scene, Treatment::reduce_command))
     throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
   Progress progress("soil and strain");
-  return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, watched(progress))); });
+  return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, shown_by(progress))); });
 }
 
 /// What the model of a case leaves out, in the words of a run.
@@ -144,7 +144,7 @@ Reduction reduce_bonded(const Simulation& simulation, bool all_readings, bool ci
   ReductionTargets targets{!all_readings, true, {}};
   targets.pressures = circles;
   Reduction reduction =
-      reduce_scene(simulation.scene(), *simulation.compiled(), targets, watched(progress), simulation.room().get());
+      reduce_scene(simulation.scene(), *simulation.compiled(), targets, shown_by(progress), simulation.room().get());
   require_converged(reduction);
   return reduction;
 }
@@ -176,7 +176,7 @@ Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseMod
   made.nested = nest(simulation, made.reduction);
   {
     Progress progress("reducing with slip");
-    made.slip = reduce_with_slip(simulation, made.reduction, watched(progress));
+    made.slip = reduce_with_slip(simulation, made.reduction, shown_by(progress));
   }
   if (may_have_circles) made.circles = circles_of(simulation, made.reduction);
   made.skipped = skipped(simulation, made);

@@ -18,7 +18,7 @@ void check_random(const DesignTables& tables, const Document& document, Diagnost
 
 DesignOutput reliability(const Design& design, const Stopwatch&) {
   const ReliabilityAnswer answer = find_reliability(design);
-  return {{}, to_json(design, answer), describe(design, answer) + "\n", describe(warnings_of(design, answer))};
+  return {{}, to_json(design, answer), text_of(design, answer) + "\n", describe(warnings_of(design, answer))};
 }
 
 const char* const reliability_footer =

@@ -8,7 +8,6 @@
 #include "case/case_findings.h"
 #include "case/case_run.h"
 #include "case/cfd/flow_scene.h"
-#include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "findings/find.h"
@@ -30,7 +29,7 @@ std::string first_of(const std::vector<std::string>& list, std::size_t most) {
   return text + (list.size() > most ? " and " + std::to_string(list.size() - most) + " others" : "");
 }
 
-std::string describe_regions(const Case& input, const Simulation& simulation) {
+std::string regions_text(const Case& input, const Simulation& simulation) {
   std::string text;
   for (const Decision& decision : simulation.decisions()) {
     const std::string& name = decision.region;
@@ -48,7 +47,7 @@ std::string describe_regions(const Case& input, const Simulation& simulation) {
 }
 
 /// Largest velocity of a motion, and whether the boundary itself moves so or waves arrive from below through it.
-std::string describe_motion(const Load& load, const Scene& scene) {
+std::string motion_text(const Load& load, const Scene& scene) {
   const bool arrives = scene.boundaries.at(load.boundary).displacement == DisplacementCondition::absorbing;
   const double up = extremum(load.history, 0., scene.time.end, 1).value;
   const double down = extremum(load.history, 0., scene.time.end, -1).value;
@@ -58,13 +57,13 @@ std::string describe_motion(const Load& load, const Scene& scene) {
                 std::max(up, -down) * std::hypot(load.direction[0], load.direction[1]));
 }
 
-std::string describe_loads(const Simulation& simulation) {
+std::string loads_text(const Simulation& simulation) {
   std::string text;
   for (const LoadOnCaisson& load : simulation.compiled()->loads_on_caisson) {
     std::string line = format("  %-12s ", load.name.c_str());
     const auto written = simulation.given().loads.find(load.name);
     if (written != simulation.given().loads.end() && is_motion(written->second.kind)) {
-      text += line + describe_motion(written->second, simulation.given()) + "\n";
+      text += line + motion_text(written->second, simulation.given()) + "\n";
       continue;
     }
     const double largest = std::max(std::abs(load.force_x), std::abs(load.force_y));
@@ -79,14 +78,14 @@ std::string describe_loads(const Simulation& simulation) {
 }
 
 /// What may yield, and why all else is linear.
-std::string describe(const YieldingExtent& extent) {
+std::string text_of(const YieldingExtent& extent) {
   if (extent.cells == 0) return "yielding    none: no region has law = \"hysteretic\" or \"mohr_coulomb\"\n";
   std::string text = format("yielding    %d of %d cells that deform may yield\n", extent.cells, extent.of);
   for (const Skipped& part : extent.linear) text += "  linear      " + part.what + ": " + part.why + "\n";
   return text;
 }
 
-std::string describe(const MeshAccuracy& accuracy) {
+std::string text_of(const MeshAccuracy& accuracy) {
   std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
   for (const auto& [unknowns, error] : accuracy.levels)
     text += format(" %d (%.2g, %.2g)", unknowns, error.history, error.peak);
@@ -176,23 +175,21 @@ std::string details(const Case& input, const Simulation& simulation, const std::
     text += format("            %d cells of second or higher order, read by their corners\n", n);
   if (simulation.processes())
     text += format("            divided among %d processes\n", simulation.processes()->count());
-  if (simulation.accuracy()) text += describe(*simulation.accuracy());
-  text += "regions\n" + describe_regions(input, simulation);
-  text += "loads\n" + describe_loads(simulation) + describe(record_summaries(input, measured));
-  text +=
-      describe(flow_summaries(input)) + describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
+  if (simulation.accuracy()) text += text_of(*simulation.accuracy());
+  text += "regions\n" + regions_text(input, simulation);
+  text += "loads\n" + loads_text(simulation) + text_of(record_summaries(input, measured));
+  text += text_of(flow_summaries(input)) + text_of(gauge_summaries(input, simulation)) + text_of(wave_summaries(input));
   const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason +
           (choice.solves.empty() ? "" : "; " + choice.solves) + "\n";
-  if (end_is_open(input))
-    text += "            until " + significant(simulation.given().time.end) + " s, " +
-            settled_end(input, *simulation.mesh()).why + "\n";
-  text += describe(yielding_extent(simulation));
+  if (!input.why_end.empty())
+    text += "            until " + significant(simulation.given().time.end) + " s, " + input.why_end + "\n";
+  text += text_of(yielding_extent(simulation));
   if (!simulation.scene().construction.empty())
     text += "built       " + join(stages_in_order(simulation.scene()), ", then ") + "; each stage drained\n";
-  if (simulation.compiled()->system.interface)
+  if (simulation.system().interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
-            std::to_string(simulation.compiled()->system.interface->n_nodes()) +
+            std::to_string(simulation.system().interface->n_nodes()) +
             " nodes; followed where the bonded caisson would slip or lift at one of them\n";
   text += "skipped\n";
   for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
@@ -213,7 +210,7 @@ std::string brief(const Case& input, const Simulation& simulation) {
 
 std::string brief(const Summary& s) {
   std::string text;
-  if (s.verdict) text += describe(*s.verdict, with_a_limit(s.checks), most_checks);
+  if (s.verdict) text += verdict_text(*s.verdict, with_a_limit(s.checks), most_checks);
   if (!s.why_void.empty()) text += "VOID        " + s.why_void + "\n";
   if (const int refused = static_cast<int>(s.ladder.size()) - 1; refused > 0)
     text += "solved by   " + s.ladder.back().way + ", after " + std::to_string(refused) +

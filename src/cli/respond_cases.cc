@@ -69,7 +69,7 @@ WaveFile as_wave(const std::string& name, const SampledLoads& loads, const std::
 WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
   Case input = case_with_loads(path);
   const Simulation simulation = simulation_of(input, settle_end(input));
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const std::vector<int> rows = rows_of(model.modes.load_name, system);
   if (std::all_of(rows.begin(), rows.end(), [](int row) { return row < 0; }))
     throw InputError(input.place("loads"), "the case has no load of the model: " + join(model.modes.load_name),

@@ -156,7 +156,7 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json
                              : (options.details ? details(result.summary) : brief(result.summary)) +
-                                   describe(result.summary.measured) + "written     " + written + "\n");
+                                   text_of(result.summary.measured) + "written     " + written + "\n");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::string scaling_json(const Case& problem, const ScaledCase& scaled, const Sc
   return json.dump(2) + "\n";
 }
 
-std::string describe(const ScaledCase& scaled, const ScaleOptions& options) {
+std::string text_of(const ScaledCase& scaled, const ScaleOptions& options) {
   std::string text = "scaled      by Froude's law";
   for (const auto& [name, unit] : quantities)
     text += (name == "length" ? ": " : ", ") + name + " x " + significant(factor_of(options, unit), 6);
@@ -73,7 +73,7 @@ int scale(const ScaleOptionsOfCommand& options) {
   for (const NamedText& history : scaled.histories) folder.write(history.path, history.text);
   folder.commit();
   std::cout << (options.json ? scaling_json(problem, scaled, wanted)
-                             : describe(scaled, wanted) + "written     " + name + "/case.toml\n");
+                             : text_of(scaled, wanted) + "written     " + name + "/case.toml\n");
   return 0;
 }
 

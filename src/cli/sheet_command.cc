@@ -181,7 +181,7 @@ SolvedScene run_part(const SheetInput& input, const OutputFolder& folder) {
   folder.write("results.h5", dataset_file(problem.scene.title, tables(run)));
   return {{{"run", run.summary.checks, run.summary.warnings, ""}, summary_outputs().to_json(run.summary)},
           std::move(problem),
-          simulation.compiled()->system.interface ? std::make_shared<const Simulation>(simulation) : run.simulation};
+          simulation.system().interface ? std::make_shared<const Simulation>(simulation) : run.simulation};
 }
 
 int work(const CaseOptions& options) {

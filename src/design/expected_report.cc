@@ -44,7 +44,7 @@ double waves_at_limit(const std::vector<StateAnswer>& states) {
   return highest->state.waves * highest->heights.at_limit();
 }
 
-std::string describe_limit(const HighestWave& highest, const ExpectedAnswer& answer) {
+std::string limit_text(const HighestWave& highest, const ExpectedAnswer& answer) {
   const std::string taken = some_of(answer.taken, answer.all);
   if (!highest.breaking && highest.cut == RayleighHeights::no_cut) return "  limit       none, as asked\n";
   if (!highest.breaking)
@@ -62,45 +62,45 @@ std::string margin_text(double margin) {
   return std::isfinite(margin) ? significant(margin, 3) : "none";
 }
 
-std::string describe(const char* how, const WorstBase& base) {
+std::string text_of(const char* how, const WorstBase& base) {
   return "  " + std::string(how) + std::string(12 - std::string(how).size(), ' ') + "heel " +
          kilopascals(base.heel_pressure) + ", toe " + kilopascals(base.toe_pressure) + ", eccentricity " +
          significant(base.eccentricity, 3) + " m, overturning margin " + margin_text(base.overturning_margin) + "\n";
 }
 
 /// "600 kPa: 3.2 % of the lives, 95 % between 2.5 and 4.1 %".
-std::string describe(const Exceeded& beyond, const std::string& limit) {
+std::string text_of(const Exceeded& beyond, const std::string& limit) {
   return limit + format(": %.4g %% of the lives, 95 %% between %.3g and %.3g %%\n", 100. * beyond.probability,
                         100. * beyond.interval[0], 100. * beyond.interval[1]);
 }
 
-std::string describe(const char* what, const WorstOfLives& worst, std::string (*number)(double),
-                     const std::string& beyond) {
+std::string text_of(const char* what, const WorstOfLives& worst, std::string (*number)(double),
+                    const std::string& beyond) {
   std::string text = format("  %-11s mean ", what) + number(worst.statistics.mean);
   for (const Quantile& q : worst.statistics.quantiles)
     text += format("  %g %%: ", 100. * q.probability) + number(q.value);
   text += "\n";
-  if (worst.beyond) text += "    " + beyond + " " + describe(*worst.beyond, number(worst.beyond->limit));
+  if (worst.beyond) text += "    " + beyond + " " + text_of(*worst.beyond, number(worst.beyond->limit));
   return text;
 }
 
-std::string describe(const BaseOfLives& base) {
-  return describe("heel", base.heel_pressure, kilopascals, "above") +
-         describe("toe", base.toe_pressure, kilopascals, "above") +
-         describe("margin", base.overturning_margin, margin_text, "below");
+std::string text_of(const BaseOfLives& base) {
+  return text_of("heel", base.heel_pressure, kilopascals, "above") +
+         text_of("toe", base.toe_pressure, kilopascals, "above") +
+         text_of("margin", base.overturning_margin, margin_text, "below");
 }
 
 /// Of those ways that only lives with slip circles know.
-std::string describe(const WaysOfLives& ways) {
+std::string text_of(const WaysOfLives& ways) {
   return "  every way to fail, under the worst wave of each storm (" + significant(ways.waves, 6) +
          " waves answered; a lower one is up to " + significant(100. * ways.lower_worse, 2) +
-         " % less safe); the least of a life:\n" + describe("circles", ways.circles, margin_text, "below") +
-         describe("mu N'/F_T", ways.sliding, margin_text, "below") +
-         describe("seaward", ways.sliding_seaward, margin_text, "below") +
-         describe("overturning", ways.overturning, margin_text, "below");
+         " % less safe); the least of a life:\n" + text_of("circles", ways.circles, margin_text, "below") +
+         text_of("mu N'/F_T", ways.sliding, margin_text, "below") +
+         text_of("seaward", ways.sliding_seaward, margin_text, "below") +
+         text_of("overturning", ways.overturning, margin_text, "below");
 }
 
-std::string describe(const MonteCarlo& found, const LifeTable& life) {
+std::string text_of(const MonteCarlo& found, const LifeTable& life) {
   const LifeStatistics& s = found.statistics;
   std::string text = format("life        %d lives of %.4g years, law %s, seed %d; %s waves, S computed for %s\n",
                             life.lives, life.years, word(found.law), life.seed, significant(found.waves).c_str(),
@@ -120,19 +120,19 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
   for (const Exceeded& e : s.exceeded)
     text += format("  S > %-4g m  %.4g %%, 95 %% between %.3g and %.3g %%\n", e.limit, 100. * e.probability,
                    100. * e.interval[0], 100. * e.interval[1]);
-  text += found.base ? describe(*found.base) : "  heel        no value: " + found.why_no_base + "\n";
-  return text + (found.ways ? describe(*found.ways) : "");
+  text += found.base ? text_of(*found.base) : "  heel        no value: " + found.why_no_base + "\n";
+  return text + (found.ways ? text_of(*found.ways) : "");
 }
 
-std::string describe(const Headline& headline) {
+std::string text_of(const Headline& headline) {
   return "S = " + with_unit(headline.value, "m") + " by the law " + word(headline.law) + ": " + headline.why + "\n";
 }
 
-std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
+std::string record_text(const SeaTable& sea, const ExpectedAnswer& answer) {
   std::string text = format("sea         %d sea states, %s waves in %.4g years, the highest %.2f m (%s)\n",
                             static_cast<int>(answer.states.size()), significant(answer.waves, 4).c_str(), sea.years,
                             answer.highest, waves_at_limit(answer.states) < 1. ? "one wave is higher" : "the limit");
-  text += describe_limit(sea.highest, answer);
+  text += limit_text(sea.highest, answer);
   for (const Exceedance& e : answer.exceedance)
     text += format("  H > %.4g m  %.4g waves (%s)\n", e.height, e.waves, e.name.c_str());
   text += format("expected    sum of S in %.4g years   waves that slide   from H\n", sea.years);
@@ -142,8 +142,8 @@ std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
             (std::isfinite(found.threshold) ? format("%.2f m", found.threshold) : "none slides") +
             (found.broken > 0. ? "; " + with_unit(found.broken, "m") + " by waves at the limit\n" : "\n");
   text += "base        in the highest wave of the worst sea state, " + significant(answer.base.height, 4) + " m\n" +
-          describe("by formulas", answer.base.goda);
-  if (answer.base.dynamic) text += describe("dynamic", *answer.base.dynamic);
+          text_of("by formulas", answer.base.goda);
+  if (answer.base.dynamic) text += text_of("dynamic", *answer.base.dynamic);
   return text;
 }
 
@@ -214,22 +214,22 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
   return dataset_file(design.tables.title, datasets);
 }
 
-std::string describe(const Design& design, const ExpectedAnswer& answer) {
+std::string text_of(const Design& design, const ExpectedAnswer& answer) {
   std::string text = design.tables.title + "\n";
   if (answer.model)
     text += format("model       %s, load %s, steps of %.3g ms\n", answer.model->title.c_str(),
                    answer.model->load.c_str(), 1e3 * answer.model->step);
-  if (design.tables.sea) text += describe_record(*design.tables.sea, answer);
+  if (design.tables.sea) text += record_text(*design.tables.sea, answer);
   for (const RecordSummary& r : answer.notes.read)
     text += "  read        " + r.column + " of " + r.file + " in " + r.unit + ", largest " + significant(r.extreme, 4) +
             "; " + r.layout + "\n";
-  if (answer.monte_carlo) text += describe(*answer.monte_carlo, *design.tables.life);
-  if (answer.formula_lives) text += describe(*answer.formula_lives, *design.tables.life);
-  if (!answer.total.empty()) text += "headline    expected " + describe(headline_of(answer.total));
+  if (answer.monte_carlo) text += text_of(*answer.monte_carlo, *design.tables.life);
+  if (answer.formula_lives) text += text_of(*answer.formula_lives, *design.tables.life);
+  if (!answer.total.empty()) text += "headline    expected " + text_of(headline_of(answer.total));
   if (answer.monte_carlo)
-    text += "headline    of a life " + describe(headline_of(*answer.monte_carlo, answer.formula_lives));
+    text += "headline    of a life " + text_of(headline_of(*answer.monte_carlo, answer.formula_lives));
   const Checks checks = checks_of(design, answer);
-  return text + describe(verdict_of(checks, warnings_of(design, answer)), checks);
+  return text + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
 }  // namespace upbead

@@ -136,7 +136,7 @@ Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedT
 std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
-std::string describe(const Design& design, const ExpectedAnswer& answer);
+std::string text_of(const Design& design, const ExpectedAnswer& answer);
 
 /// The largest expected distance, of all laws; and the largest mean S of a life, of both routes.
 Headline headline_of(const std::map<Law, Expectation>& laws);

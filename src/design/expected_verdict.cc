@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "design/expected_laws.h"
 #include "design/expected_report.h"
+#include "output/limits.h"
 
 namespace upbead {
 
@@ -38,19 +39,21 @@ struct Pressing {
 
 Check edge_check(const Pressing& of, const std::string& edge, double pressure, const Limits& limits) {
   const bool dynamic = of.law == Law::dynamic;
-  return routed(at_most(check_of(edge + (dynamic ? " pressure in motion, " : " pressure p_e, ") + of.what, "Pa",
+  const FailureMode mode = edge == "heel" ? FailureMode::heel_pressure : FailureMode::toe_pressure;
+  return routed(held_to(check_of(mode, edge + (dynamic ? " pressure in motion, " : " pressure p_e, ") + of.what, "Pa",
                                  number_or_none(pressure), of.key + ".peak_" + edge + "_pressure", of.assumption),
-                        dynamic ? limits.dynamic_base_pressure : limits.base_pressure),
+                        limits, dynamic ? &Limits::dynamic_base_pressure : &Limits::base_pressure),
                 of.law);
 }
 
 /// By formulas the caisson overturns below 1; a moment below 1 in motion is judged by a given limit alone.
 Check overturning_check(const Pressing& of, double margin, const Limits& limits) {
-  const Check check = check_of((of.law == Law::dynamic ? "overturning in motion, " : "overturning, ") + of.what, "",
+  const Check check = check_of(FailureMode::overturning,
+                               (of.law == Law::dynamic ? "overturning in motion, " : "overturning, ") + of.what, "",
                                number_or_none(margin), of.key + ".least_overturning_margin", of.assumption);
-  if (!check.demand) return routed(not_checked(check, "nothing overturns"), of.law);
+  if (!check.demand) return routed(not_checked(held_to(check, {}, &Limits::overturning), "nothing overturns"), of.law);
   const std::optional<double> natural = of.law == Law::dynamic ? std::nullopt : std::optional(1.);
-  return routed(at_least_as(check, limits.overturning ? limits.overturning : natural), of.law);
+  return routed(held_to(check, limits, &Limits::overturning, natural), of.law);
 }
 
 void add_base(const Pressing& of, const WorstBase& base, const Limits& limits, Checks& list) {
@@ -73,29 +76,33 @@ void add_share(const MonteCarlo& lives, const std::string& key, const Limits& li
   for (const Exceeded& e : lives.statistics.exceeded)
     if (e.limit == *limits.sliding)
       list.push_back(
-          routed(at_most(check_of("share of lives that slide farther than " + with_unit(e.limit, "m"), "",
+          routed(held_to(check_of(FailureMode::sliding_distance,
+                                  "share of lives that slide farther than " + with_unit(e.limit, "m"), "",
                                   e.probability, key + ".exceeded[].probability",
                                   "95 % interval " + significant(e.interval[0]) + " to " + significant(e.interval[1])),
-                         limits.lives_beyond),
+                         limits, &Limits::lives_beyond),
                  lives.law));
 }
 
 /// Of each way to fail that only lives with slip circles know: the median of all lives, and the share beyond.
 void add_ways(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
   if (!lives.ways) return;
+  const Limits none;
   const std::string of_half = "the median of all lives, of the least of each";
-  const auto add = [&](const std::string& name, const WorstOfLives& worst, const std::string& measure,
-                       const std::optional<double>& limit) {
+  const auto add = [&](FailureMode mode, const std::string& name, const WorstOfLives& worst, const std::string& measure,
+                       std::optional<double> Limits::*limit) {
     const Check check =
-        check_of(name + ", of the median life", "", number_or_none(median(worst)), key + ".ways." + measure,
+        check_of(mode, name + ", of the median life", "", number_or_none(median(worst)), key + ".ways." + measure,
                  of_half + "; below " + significant(worst.beyond->limit) + " in " +
                      significant(100. * worst.beyond->probability, 3) + " % of the lives");
-    list.push_back(
-        routed(check.demand ? at_least_as(check, limit) : not_checked(check, "nothing acts that way"), lives.law));
+    const Limits& given = check.demand ? limits : none;
+    const Check held = limit ? held_to(check, given, limit) : at_least_as(check, {});
+    list.push_back(routed(check.demand ? held : not_checked(held, "nothing acts that way"), lives.law));
   };
-  add("slip circles", lives.ways->circles, "circles", limits.circles);
-  add("friction over F_T", lives.ways->sliding, "sliding_factor", {});
-  add("friction over F_T seaward", lives.ways->sliding_seaward, "sliding_factor_seaward", {});
+  using M = FailureMode;
+  add(M::slip_circles, "slip circles", lives.ways->circles, "circles", &Limits::circles);
+  add(M::sliding, "friction over F_T", lives.ways->sliding, "sliding_factor", nullptr);
+  add(M::sliding_seaward, "friction over F_T seaward", lives.ways->sliding_seaward, "sliding_factor_seaward", nullptr);
 }
 
 void add_lives(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
@@ -110,7 +117,9 @@ void add_lives(const MonteCarlo& lives, const std::string& key, const Limits& li
 
 Check distance_check(const std::string& name, const Headline& headline, const std::string& measure,
                      const Limits& limits) {
-  return routed(at_most(check_of(name, "m", headline.value, measure, headline.why), limits.sliding), headline.law);
+  return routed(held_to(check_of(FailureMode::sliding_distance, name, "m", headline.value, measure, headline.why),
+                        limits, &Limits::sliding),
+                headline.law);
 }
 
 void add_record(const ExpectedAnswer& answer, const Limits& limits, Checks& list) {

@@ -3,68 +3,23 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "output/unjudged_limits.h"
+#include "output/limits.h"
 
 namespace upbead {
 
 namespace {
-
-/// How the name of a check begins, and the way to fail that it is about. Of two that fit the longer one counts.
-struct ModeOfName {
-  const char *begin, *mode;
-};
-
-constexpr ModeOfName modes[] = {
-    {"strength", "strength of the ground"},
-    {"slip circle", "bearing and slip circles"},
-    {"slip on a plane", "bearing and slip circles"},
-    {"momentary liquefaction", "momentary liquefaction of the ground"},
-    {"residual pore pressure", "residual pore pressure of a storm"},
-    {"sliding by formulas", "sliding landward"},
-    {"force against friction", "sliding landward"},
-    {"friction over F_T", "sliding landward"},
-    {"sliding seaward", "sliding seaward"},
-    {"force against friction, seaward", "sliding seaward"},
-    {"friction over F_T seaward", "sliding seaward"},
-    {"sliding distance", "sliding distance"},
-    {"expected sliding distance", "sliding distance"},
-    {"displacement with the ground", "sliding distance"},
-    {"share of lives that slide", "sliding distance"},
-    {"overturning", "overturning landward"},
-    {"margin against overturning", "overturning landward"},
-    {"overturning seaward", "overturning seaward"},
-    {"heel pressure", "heel pressure"},
-    {"toe pressure", "toe pressure"},
-    {"settlement", "settlement"},
-    {"tilt", "tilt"},
-};
 
 constexpr const char* not_covered[] = {
     "scour at the toe and in front of the mound", "stability of the armour and of the foot protection blocks",
     "overtopping, transmission, harbour agitation", "strength of the caisson's walls, slabs and joints",
     "caissons along the wall: oblique waves and roundheads"};
 
-std::string mode_of(const std::string& name) {
-  const ModeOfName* best = nullptr;
-  for (const ModeOfName& row : modes)
-    if (name.rfind(row.begin, 0) == 0 && (!best || std::string(row.begin).size() > std::string(best->begin).size()))
-      best = &row;
-  return best ? best->mode : name;
-}
-
-/// Where a mode stands on the sheet; unknown ones in the end.
-std::size_t place_of(const std::string& mode) {
-  const auto found =
-      std::find_if(std::begin(modes), std::end(modes), [&](const ModeOfName& row) { return mode == row.mode; });
-  return static_cast<std::size_t>(found - std::begin(modes));
-}
-
 std::vector<SheetRow> rows_of(const std::vector<SheetPart>& parts) {
   std::vector<SheetRow> rows;
   for (const SheetPart& part : parts)
-    for (const Check& check : part.checks) rows.push_back({mode_of(check.name), part.name, check});
+    for (const Check& check : part.checks) rows.push_back({mode_of(check), part.name, check});
   std::stable_sort(rows.begin(), rows.end(), [](const SheetRow& a, const SheetRow& b) {
-    if (a.mode != b.mode) return std::pair(place_of(a.mode), a.mode) < std::pair(place_of(b.mode), b.mode);
+    if (a.mode != b.mode) return std::pair(a.check.mode, a.mode) < std::pair(b.check.mode, b.mode);
     return is_worse(a.check, b.check);
   });
   for (std::size_t i = 0; i < rows.size(); ++i)

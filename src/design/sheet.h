@@ -43,7 +43,7 @@ struct Sheet {
   std::vector<std::string> not_covered;  ///< ways to fail that no part looks at
 };
 
-/// No check is left out, and no limit that none judges: one whose way to fail is not known stands as a mode of its own.
+/// No check is left out, and no limit that none judges: one with a way to fail of its own stands by itself.
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits);
 
 /// The table in at most 100 columns, the disagreements, what is not covered, the verdict.

@@ -120,7 +120,6 @@ std::vector<std::string> differences(const Sheet& sheet) {
 OutputSchema<SheetRow> row_outputs() {
   using R = SheetRow;
   return OutputSchema<R>()
-      .key("mode", &R::mode, "", "the way to fail")
       .key("part", &R::part, "",
            "the command that made the check: waves, run or expected; limits: none judges that limit")
       .key("governs", &R::governs, "", "whether it is the worst of its way to fail")

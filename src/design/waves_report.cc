@@ -56,7 +56,7 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   a.section = design.section;
   a.angle = turned_angle(table, design.section);
   a.direction = table.direction;
-  a.direction_words = describe_direction(table, design.section);
+  a.direction_words = direction_text(table, design.section);
   a.wave = design_wave(table, design.section, design.water);
   const Goda goda(design.section, design.water, a.wave);
   a.wavelength = goda.wavelength();
@@ -225,7 +225,7 @@ std::string standing_table(const std::vector<WaveAnswer>& answers, const Limits&
 }
 
 /// A line on still water at two levels; nothing where it has one.
-std::string describe_harbour(const Section& s, const Water& water) {
+std::string harbour_text(const Section& s, const Water& water) {
   if (s.harbour_level == 0.) return "";
   const StillWater still = still_water(s, water);
   return "harbour     " + short_number(s.harbour_level) + " m above the sea: push " + short_number(still.push / 1e3) +
@@ -246,18 +246,18 @@ std::string impact_table(const std::vector<WaveAnswer>& answers, const DesignTab
       row.push_back(short_number(value));
     row.push_back(i.sr443 ? short_number(*i.sr443 / 1e3) : "-");
     rows.push_back(row);
-    words += a.name + ": " + describe(*design.impact.proverbs, i) + "\n";
+    words += a.name + ": " + text_of(*design.impact.proverbs, i) + "\n";
   }
   return "\nImpacts by PROVERBS, if the waves break on the wall (m, kN/m)\n" + aligned(rows) + words;
 }
 
-std::string describe(const Section& s, const Water& water) {
+std::string text_of(const Section& s, const Water& water) {
   return "section     h " + short_number(s.water_depth) + " m, h' " + short_number(s.foundation_depth) + " m, d " +
          short_number(s.berm_depth) + " m, h_c " + short_number(s.crest) + " m, B " + short_number(s.width) +
          " m, B_M " + short_number(s.berm_width) + " m, tan(theta) " + short_number(s.bed_slope) + "\n" +
          "caisson     W " + short_number(s.weight / 1e6) + " MN/m" + ", W' " + short_number(s.submerged_weight / 1e6) +
          " MN/m" + ", mu " + short_number(s.friction) +
-         (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n" + describe_harbour(s, water);
+         (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n" + harbour_text(s, water);
 }
 
 }  // namespace
@@ -272,10 +272,10 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
   return answers;
 }
 
-std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers) {
+std::string text_of(const Design& whole, const std::vector<WaveAnswer>& answers) {
   const DesignTables& design = whole.tables;
   std::string text = design.title.empty() ? "" : design.title + "\n";
-  text += describe(design.section, design.water);
+  text += text_of(design.section, design.water);
   for (const WaveAnswer& a : answers)
     if (!a.direction_words.empty()) text += "direction   " + a.name + ": " + a.direction_words + "\n";
   text += table("Pressure after Goda, with alpha* = max(alpha_2, alpha_I) (m, s, kPa)",
@@ -298,7 +298,7 @@ std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers
               short_number(a.elastic->slip.residual) + " m";
   const Checks checks = checks_of(design, answers);
   return text + (text.back() == '\n' ? "\n" : "\n\n") +
-         describe(verdict_of(checks, warnings_of(whole, answers)), checks);
+         verdict_text(verdict_of(checks, warnings_of(whole, answers)), checks);
 }
 
 namespace {
@@ -316,8 +316,8 @@ FormulaAnswer formula_answer(const WaveAnswer& a) {
 Checks checks_at(const WaveAnswer& a, const Limits& limits) {
   Checks list = formula_checks(formula_answer(a), limits);
   if (!a.measured) return list;
-  Check given = check_of("force against friction, given P", "N/m", a.pulse.peak, "waves." + a.name + ".sliding_force",
-                         "P as given, times F_T/P, with mu U");
+  Check given = check_of(FailureMode::sliding, "force against friction, given P", "N/m", a.pulse.peak,
+                         "waves." + a.name + ".sliding_force", "P as given, times F_T/P, with mu U");
   given.by = "formulas";
   given.wave = a.name;
   given.level = a.level;

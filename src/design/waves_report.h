@@ -64,7 +64,7 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
 /// Tables of pressures, safety and sliding with a row for each wave, and of levels with a row for each wave and
 /// level.
-std::string describe(const Design& design, const std::vector<WaveAnswer>& answers);
+std::string text_of(const Design& design, const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
 Json to_json(const Design& design, const std::vector<WaveAnswer>& answers);

@@ -7,8 +7,8 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
-#include "findings/histories.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 
 namespace upbead {
 
@@ -17,7 +17,7 @@ namespace {
 /// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
 void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
                    BaseSummary& summary) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   if (!simulation.scene().base_stress) return;
   const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space());
   for (std::size_t r = 0; r < system.readings.size(); ++r) {
@@ -59,7 +59,7 @@ void set_lifting(const NodeContact& contact, BaseSummary& base) {
 std::optional<BaseSummary> find_base(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (!base) return std::nullopt;
-  const Series& series = e.of(find_history);
+  const Series& series = e.of(find_history).series;
   BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
   const BaseExtremes at_rest = base_extremes(without_motion(e.simulation, *base, series.time), series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
@@ -101,7 +101,7 @@ EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double
 NumberedWarnings lift_warnings(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (e.solution.contact || !base) return {};
-  const EdgeStress least = least_edge_stress(*base, e.of(find_history).time);
+  const EdgeStress least = least_edge_stress(*base, e.of(find_history).series.time);
   if (least.stress >= 0.) return {};
   const std::string which = least.force < 0.    ? "the whole caisson"
                             : least.moment > 0. ? "its seaward edge"
@@ -137,18 +137,19 @@ NumberedWarnings base_warnings(const Evidence& e, const Summary& summary) {
 /// loads as they act on the caisson.
 Checks bearing_checks(const Scene& scene, const BaseSummary& base) {
   Checks list;
-  const auto add = [&](const std::string& edge, const std::optional<double>& pressure) {
-    Check check = check_of(edge + " pressure p_e of the loads", "Pa", pressure, "base.static_" + edge + "_pressure",
-                           about_uplift(scene) +
-                               "; the loads without motion: Goda's p_e where the load is Goda's, more "
-                               "than that where it is the peak of an impact");
+  const auto add = [&](FailureMode mode, const std::string& edge, const std::optional<double>& pressure) {
+    Check check =
+        check_of(mode, edge + " pressure p_e of the loads", "Pa", pressure, "base.static_" + edge + "_pressure",
+                 about_uplift(scene) +
+                     "; the loads without motion: Goda's p_e where the load is Goda's, more "
+                     "than that where it is the peak of an impact");
     check.by = "statics";
-    check = at_most(check, scene.limits.base_pressure);
+    check = held_to(check, scene.limits, &Limits::base_pressure);
     if (is_shaken(scene)) check = not_checked(check, "a motion shakes the ground, and nothing of it acts at rest");
     list.push_back(check);
   };
-  add("heel", base.static_heel_pressure);
-  add("toe", base.static_toe_pressure);
+  add(FailureMode::heel_pressure, "heel", base.static_heel_pressure);
+  add(FailureMode::toe_pressure, "toe", base.static_toe_pressure);
   return list;
 }
 
@@ -159,15 +160,18 @@ Checks base_checks(const Scene& scene, const Summary& summary) {
   const std::string linear = about_uplift(scene) +
                              "; of a moment in motion, effective stress linear over the width in contact: not the p_e "
                              "for which limits of bearing pressure are made";
-  const auto& limit = scene.limits.dynamic_base_pressure;
-  list.push_back(at_most(
-      check_of("heel pressure in motion", "Pa", base.peak_heel_pressure, "base.peak_heel_pressure", linear), limit));
-  list.push_back(at_most(
-      check_of("toe pressure in motion", "Pa", base.peak_toe_pressure, "base.peak_toe_pressure", linear), limit));
+  const auto limit = &Limits::dynamic_base_pressure;
+  list.push_back(held_to(check_of(FailureMode::heel_pressure, "heel pressure in motion", "Pa", base.peak_heel_pressure,
+                                  "base.peak_heel_pressure", linear),
+                         scene.limits, limit));
+  list.push_back(held_to(check_of(FailureMode::toe_pressure, "toe pressure in motion", "Pa", base.peak_toe_pressure,
+                                  "base.peak_toe_pressure", linear),
+                         scene.limits, limit));
   if (base.least_overturning_margin)
-    list.push_back(at_least_as(check_of("margin against overturning", "", base.least_overturning_margin,
-                                        "base.least_overturning_margin", about_uplift(scene) + "; a rigid base"),
-                               scene.limits.overturning));
+    list.push_back(
+        held_to(check_of(FailureMode::overturning, "margin against overturning", "", base.least_overturning_margin,
+                         "base.least_overturning_margin", about_uplift(scene) + "; a rigid base"),
+                scene.limits, &Limits::overturning));
   if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base));
   return list;
 }
@@ -216,12 +220,8 @@ OutputSchema<BaseSummary> base_outputs() {
 
 }  // namespace
 
-Series find_history(const Evidence& e) {
-  return history_rows(e.solution).series;
-}
-
 std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
-  return effective_base(e.simulation, e.of(find_history));
+  return effective_base(e.simulation, e.of(find_history).series);
 }
 
 Finding base_finding() {

@@ -34,7 +34,7 @@ struct OwnWave {
 };
 
 std::optional<OwnWave> own_wave(const Simulation& simulation, const Reduction& reduction) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const Response response = respond(reduction, simulation.scene(), system);
   const std::optional<EffectiveBase> base = effective_base(simulation, response.ends);
   if (!base) return std::nullopt;
@@ -223,9 +223,8 @@ CircleModelMade circle_model(const Simulation& simulation, const Reduction& redu
     return made;
   }
   made.model = CircleModel{making.family, circle_readings(making.family, simulation, pressures), 0.};
-  made.model->gap =
-      gap_of(making, made.model->pressures,
-             sampled_loads(simulation.scene(), simulation.compiled()->system, simulation.scene().output_times));
+  made.model->gap = gap_of(making, made.model->pressures,
+                           sampled_loads(simulation.scene(), simulation.system(), simulation.scene().output_times));
   made.seconds = watch.seconds();
   return made;
 }

@@ -8,6 +8,7 @@
 #include "findings/circle_ground.h"
 #include "findings/effective_base.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 #include "upbead/rupture/circle_family.h"
 
 namespace upbead {
@@ -71,7 +72,7 @@ std::vector<double> static_shear(const Evidence& e, const std::vector<double>& t
 void look_in_motion(const Evidence& e, const CircleGround& ground, const std::optional<PressureMap>& map,
                     SlipCircles& circles, Counts& counts) {
   const EffectiveBase& base = *e.of(find_effective_base);
-  const std::vector<double>& time = e.of(find_history).time;
+  const std::vector<double>& time = e.of(find_history).series.time;
   const std::vector<BaseMoment> moments = moments_to_look_at(base, shear_of(e), time);
   const auto look = [&](std::optional<SlipCircleFound>& least, const std::function<PressureAt(double)>& pressure_at) {
     const LookedFor found = least_of_moments(ground, moments, pressure_at);
@@ -88,7 +89,7 @@ void look_in_motion(const Evidence& e, const CircleGround& ground, const std::op
 
 /// The least circle under the loads without motion, and by how much more motion needs of the same strength.
 void look_without_motion(const Evidence& e, const CircleGround& ground, SlipCircles& circles) {
-  const std::vector<double>& time = e.of(find_history).time;
+  const std::vector<double>& time = e.of(find_history).series.time;
   const EffectiveBase base = without_motion(e.simulation, *e.of(find_effective_base), time);
   const std::vector<BaseMoment> moments = moments_to_look_at(base, static_shear(e, time), time);
   circles.static_design = least_of_moments(ground, moments, [](double) { return PressureAt(); }).least;
@@ -110,7 +111,7 @@ void follow_circles(const Evidence& e, const CircleGround& ground, const std::op
   const auto pressure_at = [&](double when) { return by_computed ? map->at(when) : PressureAt(); };
   circles.slices = slices_at(ground, circle, circle.time ? pressure_at(*circle.time) : PressureAt(), slices_drawn);
   const EffectiveBase& base = *e.of(find_effective_base);
-  const std::vector<double>&time = e.of(find_history).time, shear = shear_of(e);
+  const std::vector<double>&time = e.of(find_history).series.time, shear = shear_of(e);
   const std::size_t stride = 1 + time.size() / rows_of_course;
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (i % stride != 0 && !(circle.time && time[i] == *circle.time)) continue;
@@ -183,13 +184,13 @@ NumberedWarnings circle_warnings(const Evidence& e, const Summary& summary) {
 }
 
 Check block_check(const Scene& scene, const SlipBlockFound& block) {
-  const Check check = at_least_as(
-      check_of("slip on a plane", "", block.factor, "circles.block.factor",
+  const Check check = held_to(
+      check_of(FailureMode::slip_circles, "slip on a plane", "", block.factor, "circles.block.factor",
                about_uplift(scene) +
                    "; horizontal forces on a block between two wedges, at the moment and with the "
                    "pressure of the least circle, without Janbu's f_0" +
                    (block.at_limit ? "; an upper bound, as the block stands where the method or the search ends" : "")),
-      scene.limits.circles);
+      scene.limits, &Limits::circles);
   if (!block.at_limit || (check.holds && !*check.holds)) return check;
   return not_checked(check, "the least block stands where the method or the search ends: F is at most " +
                                 significant(block.factor, 3));
@@ -198,7 +199,8 @@ Check block_check(const Scene& scene, const SlipBlockFound& block) {
 Checks circle_checks(const Scene& scene, const Summary& summary) {
   if (!summary.circles) {
     if (!scene.limits.circles) return {};
-    return {not_checked(at_least_as(check_of("slip circles", "", {}, "circles.factor", ""), scene.limits.circles),
+    return {not_checked(held_to(check_of(FailureMode::slip_circles, "slip circles", "", {}, "circles.factor", ""),
+                                scene.limits, &Limits::circles),
                         summary.why_no_circles)};
   }
   const SlipCircles& circles = *summary.circles;
@@ -209,7 +211,8 @@ Checks circle_checks(const Scene& scene, const Summary& summary) {
   if (circles.governs) how += "; " + circles.governs->slips + ", " + when_of(*circles.governs);
   std::optional<double> factor;
   if (circles.governs && !circles.leaves_time) factor = circles.governs->factor;
-  Check check = at_least_as(check_of("slip circles", "", factor, "circles.factor", how), scene.limits.circles);
+  Check check = held_to(check_of(FailureMode::slip_circles, "slip circles", "", factor, "circles.factor", how),
+                        scene.limits, &Limits::circles);
   if (!circles.governs) check = not_checked(check, "no circle has a factor");
   if (factor) check.balance = Balance{circles.governs->driving, *factor * circles.governs->driving, "N/m"};
   Checks list{check};
@@ -283,7 +286,7 @@ std::string find_why_no_circles(const Evidence& e) {
 }
 
 std::vector<double> shear_of(const Evidence& e) {
-  const auto row = e.of(find_history).reading.row(e.simulation.compiled()->system.reading(reading::shear_force));
+  const auto row = e.of(find_history).series.reading.row(e.simulation.system().reading(reading::shear_force));
   const auto& base = e.of(find_effective_base);
   std::vector<double> shear(row.begin(), row.end());
   for (double& F : shear) F += base ? base->push : 0.;

@@ -9,8 +9,9 @@
 #include "fem/pore_diffusion.h"
 #include "fem/settling.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 #include "response/cyclic_storm.h"
-#include "run/watched.h"
+#include "run/monitors.h"
 
 namespace upbead {
 
@@ -32,9 +33,9 @@ struct CyclesFound {
 std::string why_no_storm(const Evidence& e) {
   if (!builds_pressure(e.scene)) return "no region has a table cyclic";
   if (yields(e.scene)) return "the ground yields, so that its shear is not proportional to the wave";
-  const Watched& watched = *e.solution.watched;
-  if (!watched.cyclic) return watched.why_no_cyclic;
-  if (!watched.cyclic->has_seen()) return "the contact was not marched";
+  const Monitors& monitors = *e.solution.monitors;
+  if (!monitors.cyclic) return monitors.why_no_cyclic;
+  if (!monitors.cyclic->has_seen()) return "the contact was not marched";
   if (e.solution.contact && e.solution.contact->history && !e.scene.cycles->height.empty())
     return "the caisson slips on its ground, so that shear is not proportional to the height of the wave";
   return "";
@@ -43,7 +44,7 @@ std::string why_no_storm(const Evidence& e) {
 std::vector<double> mean_stress_at_rest(const Evidence& e) {
   std::vector<double> list(e.simulation.mesh()->triangulation.n_active_cells(), 0.);
   for (std::size_t i = 0; i < list.size(); ++i)
-    list[i] = e.solution.watched->rest->stress.mean(i, k0_to_apply(e.scene));
+    list[i] = e.solution.monitors->rest->stress.mean(i, k0_to_apply(e.scene));
   return list;
 }
 
@@ -64,7 +65,7 @@ std::vector<bool> cells_that_count(const Mesh& mesh, const std::vector<double>& 
 
 std::vector<StormCell> storm_cells(const Evidence& e) {
   const Space& space = *e.simulation.space();
-  const std::vector<double> stress = mean_stress_at_rest(e), shear = e.solution.watched->cyclic->amplitude();
+  const std::vector<double> stress = mean_stress_at_rest(e), shear = e.solution.monitors->cyclic->amplitude();
   const std::vector<bool> counts = cells_that_count(space.mesh(), stress);
   std::vector<StormCell> cells(stress.size());
   for (const auto& cell : space.dofs().active_cell_iterators()) {
@@ -302,22 +303,25 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
 }
 
 Check settling_check(const CyclesSummary& cycles, const std::string& name, const std::string& unit,
-                     double CaissonSettling::*part, const std::optional<double>& limit) {
-  const std::string member = part == &CaissonSettling::tilt ? "tilt" : "settlement";
+                     double CaissonSettling::*part, const Limits& limits) {
+  const bool tilts = part == &CaissonSettling::tilt;
+  const std::string member = tilts ? "tilt" : "settlement";
+  const FailureMode mode = tilts ? FailureMode::tilt : FailureMode::settlement;
+  const auto limit = tilts ? &Limits::tilt : &Limits::settlement;
   const std::string after = "after all residual pressure has gone, in drained elastic ground; ";
   if (cycles.why_no_settling == no_bound)
-    return at_most(check_of(name, unit, {}, "cycles.by_compaction." + member, after + no_bound), limit);
+    return held_to(check_of(mode, name, unit, {}, "cycles.by_compaction." + member, after + no_bound), limits, limit);
   if (!cycles.why_no_settling.empty())
-    return not_checked(at_most(check_of(name, unit, {}, "cycles.by_compaction." + member, ""), limit),
+    return not_checked(held_to(check_of(mode, name, unit, {}, "cycles.by_compaction." + member, ""), limits, limit),
                        cycles.why_no_settling);
   const bool compacts = cycles.by_compaction.has_value();
   const double found = (compacts ? *cycles.by_compaction : *cycles.by_drainage).*part;
-  const double demand = part == &CaissonSettling::tilt ? std::abs(found) : std::max(found, 0.);
+  const double demand = tilts ? std::abs(found) : std::max(found, 0.);
   const std::string way = compacts ? "by_compaction." : "by_drainage.";
-  return at_most(check_of(name, unit, demand, "cycles." + way + member,
+  return held_to(check_of(mode, name, unit, demand, "cycles." + way + member,
                           after + (compacts ? "densification by cycles (Byrne 1991)"
                                             : "the water that cycles press out (Seed and Rahman 1978)")),
-                 limit);
+                 limits, limit);
 }
 
 Checks cycles_checks(const Scene& scene, const Summary& summary) {
@@ -325,7 +329,8 @@ Checks cycles_checks(const Scene& scene, const Summary& summary) {
   if (!summary.cycles) {
     if (!scene.limits.pressure_ratio) return {};
     return {not_checked(
-        at_most(check_of("residual pore pressure", "", {}, "cycles.largest_ratio", ""), scene.limits.pressure_ratio),
+        held_to(check_of(FailureMode::residual_pressure, "residual pore pressure", "", {}, "cycles.largest_ratio", ""),
+                scene.limits, &Limits::pressure_ratio),
         summary.why_no_cycles)};
   }
   const CyclesSummary& cycles = *summary.cycles;
@@ -335,10 +340,11 @@ Checks cycles_checks(const Scene& scene, const Summary& summary) {
     how += "; " + region.region + ": tau/sigma'_0 = " + significant(region.alpha) + " N^" + significant(region.beta) +
            (soil.alpha && soil.beta ? "" : ", assumed by its relative density");
   }
-  return {at_most(check_of("residual pore pressure", "", cycles.largest_ratio, "cycles.largest_ratio", how),
-                  scene.limits.pressure_ratio),
-          settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement, scene.limits.settlement),
-          settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, scene.limits.tilt)};
+  return {held_to(check_of(FailureMode::residual_pressure, "residual pore pressure", "", cycles.largest_ratio,
+                           "cycles.largest_ratio", how),
+                  scene.limits, &Limits::pressure_ratio),
+          settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement, scene.limits),
+          settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, scene.limits)};
 }
 
 OutputSchema<CyclicRegion> cyclic_region_outputs() {

@@ -68,7 +68,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   if (!simulation.compiled()->caisson) return std::nullopt;
   const std::optional<RestingForces> rest = at_rest(simulation);
   if (!rest || !(rest->force > 0.)) return std::nullopt;
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const auto row = [&](const char* name) { return ends.reading.row(system.reading(name)); };
   const auto N = row(reading::normal_force), M = row(reading::base_moment), U = row(reading::uplift),
              M_U = row("uplift_moment");

@@ -222,8 +222,8 @@ ShearError error_of_steps(const Solution& solution) {
     const bool alpha = solution.response.order == 2;
     return marched_shear(*coarse.compiled(), alpha ? SchemeKind::generalised_alpha : SchemeKind::sdirk4, grid);
   };
-  const TimeGrid grid = make_time_grid(kinks(coarse.compiled()->system), coarse.scene().time.end,
-                                       solution.discretisation.time_step * (1. + 1e-9));
+  const TimeGrid grid =
+      make_time_grid(kinks(coarse.system()), coarse.scene().time.end, solution.discretisation.time_step * (1. + 1e-9));
   const ShearError moved = difference(answer(grid), answer(halved(grid)));
   return {whole * moved.peak, whole * moved.history};
 }
@@ -271,7 +271,7 @@ Errors find_errors(const Evidence& e) {
     out.why_no_slip = why_no_slip_error(e.scene);
     return out;
   }
-  const auto progress = watched("estimating errors");
+  const auto progress = shown_progress("estimating errors");
   progress(0.);
   ShearError mesh, time;
   SlipErrors slip;

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "findings/topics.h"
 #include "output/checks.h"
-#include "output/unjudged_limits.h"
+#include "output/limits.h"
 
 namespace upbead {
 
@@ -125,17 +125,18 @@ NumberedWarnings route_warnings(const Checks& checks) {
   return list;
 }
 
-Summary find(const Solution& solution, const std::function<void(double)>& progress, const std::vector<Finding>& also) {
-  const Evidence evidence(solution, progress);
+namespace {
+
+Summary find(const Evidence& evidence, const std::vector<Finding>& also) {
   const std::vector<Finding> all = with(also);
   Summary summary;
   for (const Finding& finding : all)
     for (const auto& part : finding.parts) part(evidence, summary);
   std::optional<double> peak_time;
   if (summary.response) peak_time = summary.response->peak_shear_time;
-  summary.warnings = gather(all, &Finding::of_scene, *solution.simulation, peak_time);
+  summary.warnings = gather(all, &Finding::of_scene, evidence.simulation, peak_time);
   append(summary.warnings, gather(all, &Finding::warnings, evidence, summary));
-  summary.skipped = gather(all, &Finding::skipped_of_scene, *solution.simulation, summary.reduction.has_value());
+  summary.skipped = gather(all, &Finding::skipped_of_scene, evidence.simulation, summary.reduction.has_value());
   append(summary.skipped, gather(all, &Finding::skipped, evidence, summary));
   summary.checks = checks_of(evidence.scene, summary, also);
   append(summary.warnings, route_warnings(summary.checks));
@@ -143,10 +144,22 @@ Summary find(const Solution& solution, const std::function<void(double)>& progre
   return summary;
 }
 
-Run Simulation::run(const RunOptions& options) const {
-  Run run{solve(*this, options), {}};
-  run.summary = find(run, options.progress);
+}  // namespace
+
+Summary find(const Solution& solution, const std::function<void(double)>& progress, const std::vector<Finding>& also) {
+  return find(Evidence(solution, progress), also);
+}
+
+Run run_of(Solution solution, const std::function<void(double)>& progress, const std::vector<Finding>& also) {
+  Run run{std::move(solution), {}, {}};
+  const Evidence evidence(run, progress);
+  run.summary = find(evidence, also);
+  run.history = evidence.of(find_history);
   return run;
+}
+
+Run Simulation::run(const RunOptions& options) const {
+  return run_of(solve(*this, options), options.progress);
 }
 
 NumberedWarnings warnings(const Simulation& simulation, const std::vector<Finding>& also) {

@@ -8,6 +8,7 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
+#include "findings/topics.h"
 #include "run/derived.h"
 
 namespace upbead {
@@ -27,8 +28,8 @@ std::vector<Dataset> base_tables(const Simulation& simulation, const Series& ser
       {"base/length", "m", "length that each node stands for: a stress times it is a force", length}};
   std::map<std::string, Dataset> tables;
   const std::size_t n = series.time.size();
-  for (std::size_t i = 0; i < simulation.compiled()->system.readings.size(); ++i) {
-    const Reading& reading = simulation.compiled()->system.readings[i];
+  for (std::size_t i = 0; i < simulation.system().readings.size(); ++i) {
+    const Reading& reading = simulation.system().readings[i];
     if (reading.name.group != base_group) continue;
     const std::string& what = reading.name.quantity;
     Dataset& table = tables[what];
@@ -129,18 +130,17 @@ std::vector<double> equal_times(const Scene& scene) {
 }  // namespace
 
 Trajectory trajectory_of(const Solution& solution) {
-  return {solution.simulation->compiled()->system, solution.response, solution.model ? &*solution.model : nullptr};
+  return {solution.simulation->system(), solution.response, solution.model ? &*solution.model : nullptr};
 }
 
-HistoryRows history_rows(const Solution& solution) {
-  const Trajectory trajectory = trajectory_of(solution);
-  const Simulation& simulation = *solution.simulation;
-  const Rows rows = trajectory.rows(not_of_base(simulation.compiled()->system), whole_tolerance(simulation), most_rows);
+HistoryRows find_history(const Evidence& e) {
+  const Trajectory trajectory = trajectory_of(e.solution);
+  const Rows rows = trajectory.rows(not_of_base(e.simulation.system()), whole_tolerance(e.simulation), most_rows);
   return {trajectory.at(rows.time), rows.error};
 }
 
 std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   std::vector<Dataset> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const Reading& reading = system.readings[i];
@@ -169,7 +169,7 @@ std::string times_csv(const Run& run) {
 }
 
 std::vector<Dataset> names_of_histories(const Simulation& simulation) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const auto none = [](std::size_t n) { return Eigen::MatrixXd(static_cast<Eigen::Index>(n), 0); };
   return histories(simulation, {{}, none(system.readings.size()), none(system.loads.size())});
 }
@@ -197,12 +197,11 @@ std::vector<Dataset> tables(const Run& run) {
       all.push_back(std::move(history));
     }
   };
-  const HistoryRows rows = history_rows(run);
-  add("history/", rows.series, told(rows, whole_tolerance(*run.simulation)));
+  add("history/", run.history.series, told(run.history, whole_tolerance(*run.simulation)));
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
   for (auto part :
-       {base_tables(*run.simulation, rows.series), node_tables(run.contact), coupled_tables(run.summary.sliding),
+       {base_tables(*run.simulation, run.history.series), node_tables(run.contact), coupled_tables(run.summary.sliding),
         circle_tables(run.summary.circles), cycle_tables(run.summary.cycles)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;

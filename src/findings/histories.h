@@ -13,13 +13,6 @@ namespace upbead {
 /// What was solved at any time; the solution must outlive it.
 Trajectory trajectory_of(const Solution& solution);
 
-/// All readings in rows between which straight lines follow the trajectory within the scene's tolerance.
-struct HistoryRows {
-  Series series;
-  double error = 0.;  ///< of the straight lines, see Rows
-};
-HistoryRows history_rows(const Solution& solution);
-
 /// Histories of all readings, by the names of /history, and those of the base (effective_base.h). `ends`: of the
 /// scene.
 std::vector<Dataset> histories(const Simulation& simulation, const Series& ends);
@@ -30,9 +23,8 @@ std::string times_csv(const Run& run);
 /// The same names and units, without times.
 std::vector<Dataset> names_of_histories(const Simulation& simulation);
 
-/// All datasets: /history in rows between which straight lines follow the trajectory within the scene's tolerance,
-/// histories at chosen times (/at_times, /dense), stresses of the bottom at the times of /history, nodes of an
-/// interface, the caisson that slips as a whole.
+/// All datasets: /history, histories at chosen times (/at_times, /dense), stresses of the bottom at the times of
+/// /history, nodes of an interface, the caisson that slips as a whole.
 std::vector<Dataset> tables(const Run& run);
 
 }  // namespace upbead

@@ -26,9 +26,9 @@ OutputSchema<Discretisation> discretisation_outputs() {
 
 OutputSchema<ReductionSummary> reduction_outputs() {
   using R = ReductionSummary;
-  const auto loose = [](const R& r) {
+  const auto inexact = [](const R& r) {
     Json object = Json::object();
-    for (const LooseReading& reading : r.loose) object[reading.name] = reading.error;
+    for (const InexactReading& reading : r.inexact) object[reading.name] = reading.error;
     return object;
   };
   return OutputSchema<R>()
@@ -45,7 +45,7 @@ OutputSchema<ReductionSummary> reduction_outputs() {
            "estimated, of the history of F_T over its peak, where one model answers all soils of a study; null where "
            "this soil itself was reduced")
       .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
-      .key("loose.NAME", loose, "",
+      .key("loose.NAME", inexact, "",
            "the readings besides F_T that have not come close enough, with their error (only where the case asks for a "
            "reduced model)");
 }
@@ -94,11 +94,11 @@ Timing find_timing(const Evidence& e) {
   return timing;
 }
 
-NumberedWarnings loose_warnings(const Evidence&, const Summary& summary) {
+NumberedWarnings inexact_warnings(const Evidence&, const Summary& summary) {
   NumberedWarnings list;
-  if (!summary.reduction || summary.reduction->loose.empty()) return list;
+  if (!summary.reduction || summary.reduction->inexact.empty()) return list;
   std::string names;
-  for (const LooseReading& reading : summary.reduction->loose) names += (names.empty() ? "" : ", ") + reading.name;
+  for (const InexactReading& reading : summary.reduction->inexact) names += (names.empty() ? "" : ", ") + reading.name;
   list.push_back(
       {"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others, "1",
        "the reduced model that was asked for has F_T within its tolerance, but " + names + " move by up to " +
@@ -138,7 +138,7 @@ Finding reduction_finding() {
     s.object("reduction", &Summary::reduction, reduction_outputs(),
              "[how far two nested models lie apart](reduced.md); null where the case was marched");
   };
-  f.warnings = loose_warnings;
+  f.warnings = inexact_warnings;
   return f.part(&Summary::reduction, &Solution::reduction);
 }
 

@@ -6,7 +6,8 @@
 #include "fem/compile.h"
 #include "findings/circle_ground.h"
 #include "findings/topics.h"
-#include "run/watched.h"
+#include "output/limits.h"
+#include "run/monitors.h"
 
 namespace upbead {
 
@@ -74,10 +75,10 @@ std::string too_coarse(const LiquefiedPlace& worst, const std::vector<Vertical>&
 }
 
 std::string why_no_pressure(const Evidence& e) {
-  const Watched& watched = *e.solution.watched;
+  const Monitors& monitors = *e.solution.monitors;
   if (e.simulation.processes()) return "several processes share the work";
-  if (watched.upward && watched.upward->verticals().empty()) return "no pores meet a surface of the ground";
-  if (!watched.upward || !watched.upward->has_seen()) return "no state of the pores was kept";
+  if (monitors.upward && monitors.upward->verticals().empty()) return "no pores meet a surface of the ground";
+  if (!monitors.upward || !monitors.upward->has_seen()) return "no state of the pores was kept";
   return "";
 }
 
@@ -86,7 +87,7 @@ LiquefactionFound look_for_liquefaction(const Evidence& e) {
   if (!e.scene.limits.liquefaction) return found;
   found.why_not = why_no_pressure(e);
   if (!found.why_not.empty()) return found;
-  const std::vector<Vertical>& verticals = e.solution.watched->upward->verticals();
+  const std::vector<Vertical>& verticals = e.solution.monitors->upward->verticals();
   const GroundSection section = ground_section(e.simulation);
   const auto surcharge = surcharge_of(e.simulation);
   Liquefaction& all = found.liquefaction.emplace();
@@ -157,8 +158,9 @@ Checks liquefaction_checks(const Scene& scene, const Summary& summary) {
   const Liquefaction none, &all = summary.liquefaction ? *summary.liquefaction : none;
   const LiquefiedPlace* worst = worst_place(all);
   if (worst) how += "; in " + told_place(*worst);
-  Check check = at_least_as(check_of("momentary liquefaction", "", all.factor, "liquefaction.factor", how),
-                            scene.limits.liquefaction);
+  Check check = held_to(check_of(FailureMode::momentary_liquefaction, "momentary liquefaction", "", all.factor,
+                                 "liquefaction.factor", how),
+                        scene.limits, &Limits::liquefaction);
   if (worst) check.balance = Balance{worst->pressure, worst->stress, "Pa"};
   if (!summary.liquefaction) return {not_checked(check, summary.why_no_liquefaction)};
   if (!worst) return {not_checked(check, "no pore pressure exceeds that on the surface above it")};

@@ -7,6 +7,7 @@
 #include "fem/loaded_ground.h"
 #include "findings/circle_ground.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 
 namespace upbead {
 
@@ -27,7 +28,8 @@ const SlipCircleFound* governing_in_motion(const SlipCircles& circles) {
 /// The moment of that circle first.
 std::vector<BaseMoment> moments_from(const Evidence& e, const SlipCircleFound& circle) {
   std::vector<BaseMoment> list{{circle.time, circle.force, circle.shear, circle.moment}};
-  for (const BaseMoment& moment : moments_to_look_at(*e.of(find_effective_base), shear_of(e), e.of(find_history).time))
+  for (const BaseMoment& moment :
+       moments_to_look_at(*e.of(find_effective_base), shear_of(e), e.of(find_history).series.time))
     if (moment.time != circle.time) list.push_back(moment);
   return list;
 }
@@ -84,7 +86,7 @@ PeakFound seek_peak_safety(const Evidence& e) {
   std::vector<LoadedMoment> loads;
   for (const BaseMoment& moment : moments) loads.push_back(loaded(e, moment, map));
   const LoadedSafety safety = safety_factor_under(loads, e.scene, *e.simulation.mesh(), e.simulation.soil_state(),
-                                                  circle->factor, watched("strength reduction at the peak"));
+                                                  circle->factor, shown_progress("strength reduction at the peak"));
   const BaseMoment& worst = moments[safety.moment];
   PeakFound found{peak_safety_of(safety, worst, moments.size(), map.has_value()), ""};
   set_circle(ground, worst, map ? map->at(*worst.time) : PressureAt(), *found.safety);
@@ -149,8 +151,8 @@ Checks peak_checks(const Scene& scene, const Summary& summary) {
     how += "; " + told_failure(s) + "; pore pressure: " + s.pressure;
     if (!s.why_open.empty()) how += "; " + s.why_open;
   }
-  Check check =
-      at_least_as(check_of("strength at the peak", "", factor, "peak_safety.lower", how), scene.limits.peak_safety);
+  Check check = held_to(check_of(FailureMode::strength, "strength at the peak", "", factor, "peak_safety.lower", how),
+                        scene.limits, &Limits::peak_safety);
   const bool leaves = summary.circles && summary.circles->leaves_time;
   if (!summary.peak_safety && !leaves) check = not_checked(check, summary.why_no_peak_safety);
   return {check};

@@ -97,7 +97,7 @@ PressureMap::PressureMap(const Simulation& simulation, const PressureModel& mode
   }
   rows_.resize(n_rows, static_cast<Eigen::Index>(model.basis.unknown.size()));
   rows_.setFromTriplets(entries.begin(), entries.end());
-  const Series series = upbead::respond(model.model, sampled_loads(simulation.scene(), simulation.compiled()->system));
+  const Series series = upbead::respond(model.model, sampled_loads(simulation.scene(), simulation.system()));
   time_ = series.time;
   velocities_ = series.reading;
   basis_ = &model.basis;

@@ -1,6 +1,7 @@
 // Whether the ground stands at rest, by which factor its strength may fall, and what follows for all other results.
 #include "base/text.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 
 namespace upbead {
 
@@ -35,9 +36,10 @@ Checks rest_checks(const Scene& scene, const Summary& summary) {
     factor = 1.;
     how += "; at least 1, as a state at rest was found: initial.safety = true finds how much more";
   }
-  Check check = check_of("strength at rest", "", factor, summary.safety ? "safety.lower" : "nonlinear.rest", how);
+  Check check = check_of(FailureMode::strength, "strength at rest", "", factor,
+                         summary.safety ? "safety.lower" : "nonlinear.rest", how);
   check.by = "statics";
-  return {at_least_as(check, scene.limits.safety.value_or(1.))};
+  return {held_to(check, scene.limits, &Limits::safety, 1.)};
 }
 
 /// Warnings no_rest, where there is no state at rest, which voids the verdict, and rest_open, where it is not known

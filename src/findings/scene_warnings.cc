@@ -192,7 +192,7 @@ constexpr double least_crossings = 4.;
 double time_of_loads(const Simulation& simulation) {
   double first = simulation.scene().time.end, last = 0.;
   for (std::size_t k = 0; k < simulation.compiled()->loads_on_caisson.size(); ++k) {
-    const TimeFunction& f = simulation.compiled()->system.loads[k].history;
+    const TimeFunction& f = simulation.system().loads[k].history;
     if (!simulation.compiled()->loads_on_caisson[k].arm() || f.kinks().empty()) continue;
     first = std::min(first, f.kinks().front());
     last = std::max(last, f(f.kinks().back() + 1.) == 0. ? f.kinks().back() : simulation.scene().time.end);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "findings/errors.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/coupled_sliding.h"
 #include "upbead/base/error.h"
@@ -91,10 +92,10 @@ constexpr double no_force = 1e-6;  // of the largest P
 /// Where no force acts seaward, a friction that suffices for the rebound says nothing of the seaward direction.
 Check seaward_check(const Scene& scene, const Summary& summary, const std::string& assumption) {
   const HistorySliding& history = summary.sliding->history;
-  const Check check = at_most(
-      check_of("force against friction, seaward", "N/m", std::max(history.peak_seaward + still_push(summary, -1.), 0.),
-               "sliding.peak_sliding_force_seaward", assumption),
-      history.resistance);
+  const Check check = at_most(check_of(FailureMode::sliding_seaward, "force against friction, seaward", "N/m",
+                                       std::max(history.peak_seaward + still_push(summary, -1.), 0.),
+                                       "sliding.peak_sliding_force_seaward", assumption),
+                              history.resistance);
   const ShearResponse& r = *summary.response;
   const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
   if (!no_trough || !*check.holds) return check;
@@ -108,15 +109,17 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
   Checks list;
   const SlidingSummary& sliding = *summary.sliding;
   const std::string uplift = about_uplift(scene);
-  list.push_back(at_most(check_of("sliding distance", "m", std::abs(sliding.design.value), sliding.design.measure,
+  list.push_back(held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m",
+                                  std::abs(sliding.design.value), sliding.design.measure,
                                   (sliding.design.value < 0. ? "seaward; " : "") + uplift + "; " + sliding.design.why),
-                         scene.limits.sliding));
+                         scene.limits, &Limits::sliding));
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
-  list.push_back(at_most(check_of("force against friction", "N/m", sliding.history.peak_force + still_push(summary, 1.),
-                                  "sliding.peak_sliding_force", of_bonded),
-                         sliding.history.resistance));
+  list.push_back(
+      at_most(check_of(FailureMode::sliding, "force against friction", "N/m",
+                       sliding.history.peak_force + still_push(summary, 1.), "sliding.peak_sliding_force", of_bonded),
+              sliding.history.resistance));
   list.push_back(seaward_check(scene, summary, of_bonded));
   return list;
 }

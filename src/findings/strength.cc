@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "fem/compile.h"
 #include "findings/topics.h"
-#include "run/watched.h"
+#include "run/monitors.h"
 
 namespace upbead {
 
@@ -25,14 +25,14 @@ OutputSchema<MobilisedStrength> strength_outputs() {
 }
 
 std::vector<MobilisedStrength> find_strength(const Evidence& e) {
-  const auto& strength = e.solution.watched->strength;
+  const auto& strength = e.solution.monitors->strength;
   return strength && strength->has_seen() ? strength->found() : std::vector<MobilisedStrength>();
 }
 
 SkippedList skipped_strength(const Evidence& e, const Summary&) {
-  const Watched& watched = *e.solution.watched;
-  if (watched.strength ? watched.strength->has_seen() : watched.why_no_strength.empty()) return {};
-  return {{"mobilised strength", watched.strength ? "the contact was not marched" : watched.why_no_strength}};
+  const Monitors& monitors = *e.solution.monitors;
+  if (monitors.strength ? monitors.strength->has_seen() : monitors.why_no_strength.empty()) return {};
+  return {{"mobilised strength", monitors.strength ? "the contact was not marched" : monitors.why_no_strength}};
 }
 
 SkippedList no_strength(const Simulation& simulation, bool) {
@@ -58,7 +58,7 @@ NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
 
 /// Warning cavitation.
 NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
-  const auto& pressure = e.solution.watched->pressure;
+  const auto& pressure = e.solution.monitors->pressure;
   if (!pressure || !pressure->has_seen() || pressure->value() >= vapour_pressure) return {};
   return {{"cavitation", pressure->value(), vapour_pressure, "Pa",
            "the water of '" + pressure->region() + "' at " + place_text(pressure->place()) + " would come to " +
@@ -69,10 +69,10 @@ NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
 }
 
 SkippedList skipped_pressure(const Evidence& e, const Summary&) {
-  const Watched& watched = *e.solution.watched;
-  if (watched.pressure && (!watched.pressure->watches() || watched.pressure->has_seen())) return {};
+  const Monitors& monitors = *e.solution.monitors;
+  if (monitors.pressure && (!monitors.pressure->watches() || monitors.pressure->has_seen())) return {};
   if (!e.simulation.compiled()->caisson) return {};
-  return {{"cavitation of the water", watched.pressure ? "the contact was not marched" : watched.why_no_pressure}};
+  return {{"cavitation of the water", monitors.pressure ? "the contact was not marched" : monitors.why_no_pressure}};
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void for_each_displacement(const Space& space, const Visit& visit) {
 /// The section's unit translation along an axis, as unknowns; none where a condition or a spring holds it.
 std::optional<Vector> free_translation(const Simulation& simulation, unsigned axis) {
   const Unknowns& unknowns = *simulation.unknowns();
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   Vector r = Vector::Zero(unknowns.size());
   for_each_displacement(*simulation.space(), [&](auto dof, unsigned component) {
     const Row& row = unknowns.expansion(dof);
@@ -52,7 +52,7 @@ std::optional<Vector> free_translation(const Simulation& simulation, unsigned ax
 
 /// What the loads do in all along r (N s/m); not the motion of a base, which may shift the section.
 double impulse_along(const Simulation& simulation, const Vector& r) {
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   std::set<int> of_frames(system.frame_damping.loads.begin(), system.frame_damping.loads.end());
   of_frames.insert(system.frame_radiation.loads.begin(), system.frame_radiation.loads.end());
   double sum = 0.;
@@ -73,7 +73,7 @@ NumberedWarnings drift_warnings(const Simulation& simulation) {
   for (const unsigned axis : {0U, 1U}) {
     const std::optional<Vector> r = free_translation(simulation, axis);
     if (!r) continue;
-    const System& system = simulation.compiled()->system;
+    const System& system = simulation.system();
     const double impulse = impulse_along(simulation, *r), mass = r->dot(system.M * *r),
                  end = simulation.scene().time.end;
     const double decay = r->dot(system.C * *r) / mass;

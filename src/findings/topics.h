@@ -23,7 +23,7 @@ const Solution& bonded_of(const Evidence& e);
 std::optional<SlidingSummary> find_slid(const Evidence& e);
 SlipAsWhole find_slip_as_whole(const Evidence& e);
 /// All readings in the rows of /history.
-Series find_history(const Evidence& e);
+HistoryRows find_history(const Evidence& e);
 /// The effective load of the caisson on the ground in these rows; none where W' is not known.
 std::optional<EffectiveBase> find_effective_base(const Evidence& e);
 std::optional<ResidualSummary> find_residual(const Evidence& e);

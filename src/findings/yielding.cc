@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "findings/topics.h"
+#include "output/limits.h"
 #include "response/compaction.h"
 
 namespace upbead {
@@ -145,7 +146,7 @@ SkippedList skipped_estimate(const Simulation& simulation, bool) {
 /// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
 /// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
 /// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
-Check displacement_check(const Summary& summary, const std::optional<double>& limit) {
+Check displacement_check(const Summary& summary, const Limits& limits) {
   const bool slipped = summary.contact && summary.contact->solved;
   const double carried = std::abs(summary.residual->displacement_x);
   const double slip = summary.sliding && !slipped ? std::abs(summary.sliding->design.value) : 0.;
@@ -157,10 +158,10 @@ Check displacement_check(const Summary& summary, const std::optional<double>& li
       farthest = &bound;
   if (farthest)
     how += "; from the start " + farthest->start + " carried " + with_unit(farthest->residual.displacement_x, "m");
-  return at_most(
-      check_of("displacement with the ground", "m", carried + slip,
+  return held_to(
+      check_of(FailureMode::sliding_distance, "displacement with the ground", "m", carried + slip,
                slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
-      limit);
+      limits, &Limits::sliding);
 }
 
 /// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
@@ -176,9 +177,11 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
       worst_residual(summary, [](const ResidualSummary& r) { return std::max(-r.displacement_y, 0.); });
   const double tilt = worst_residual(summary, [](const ResidualSummary& r) { return std::abs(r.rotation); });
   const std::string how = "left when the motion has ended, after this load alone";
-  return {displacement_check(summary, scene.limits.sliding),
-          at_most(check_of("settlement", "m", settlement, "residual.displacement_y", how), scene.limits.settlement),
-          at_most(check_of("tilt", "rad", tilt, "residual.rotation", how), scene.limits.tilt)};
+  return {
+      displacement_check(summary, scene.limits),
+      held_to(check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
+              scene.limits, &Limits::settlement),
+      held_to(check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how), scene.limits, &Limits::tilt)};
 }
 
 }  // namespace

@@ -2,14 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/text.h"
 
 namespace upbead {
 
-Check check_of(const std::string& name, const std::string& unit, const std::optional<double>& demand,
+namespace {
+
+/// In the order of FailureMode.
+constexpr const char* mode_words[] = {"strength of the ground",
+                                      "bearing and slip circles",
+                                      "momentary liquefaction of the ground",
+                                      "residual pore pressure of a storm",
+                                      "sliding landward",
+                                      "sliding seaward",
+                                      "sliding distance",
+                                      "overturning landward",
+                                      "overturning seaward",
+                                      "heel pressure",
+                                      "toe pressure",
+                                      "settlement",
+                                      "tilt"};
+static_assert(std::size(mode_words) == static_cast<std::size_t>(FailureMode::other));
+
+}  // namespace
+
+Check check_of(FailureMode mode, const std::string& name, const std::string& unit, const std::optional<double>& demand,
                const std::string& measure, const std::string& assumption) {
   Check check;
+  check.mode = mode;
   check.name = name;
   check.unit = unit;
   check.demand = demand;
@@ -63,6 +85,10 @@ std::string number_of(const Check& check, double value) {
 
 }  // namespace
 
+std::string mode_of(const Check& check) {
+  return check.mode == FailureMode::other ? check.name : mode_words[static_cast<std::size_t>(check.mode)];
+}
+
 std::string name_of(const Check& check) {
   return check.name + (check.wave.empty() ? "" : ", wave " + check.wave) +
          (check.level.empty() ? "" : " at " + check.level);
@@ -103,8 +129,8 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   Verdict verdict;
   std::string unjudged;
   for (const Check& check : checks) {
-    const bool of_friction = check.name.rfind("force against friction", 0) == 0;  // its capacity is mu W', no limit
-    if (check.capacity && !check.why_not.empty() && !of_friction) {
+    const bool given = check.capacity && !check.limit.empty();  // mu W' is a capacity, and no limit
+    if (given && !check.why_not.empty()) {
       ++verdict.unjudged;
       unjudged += (unjudged.empty() ? "" : ", ") + name_of(check);
     }
@@ -135,7 +161,7 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   return verdict;
 }
 
-std::string describe(const Verdict& verdict, const Checks& checks, std::size_t most) {
+std::string verdict_text(const Verdict& verdict, const Checks& checks, std::size_t most) {
   if (checks.empty()) return "";
   std::string text = "checks\n";
   int left_out = 0;
@@ -152,6 +178,8 @@ OutputSchema<Check> check_outputs() {
   using C = Check;
   return OutputSchema<C>()
       .key("name", &C::name, "", "what is checked")
+      .key("mode", mode_of, "", "the way to fail that it is about")
+      .reason("limit", &C::limit, "key of `[limits]` that it is held to, given or not; null where none is made for it")
       .key("by", &C::by, "",
            "the route: `formulas` (Goda's, and of the standing wave), `dynamics` (of the solved scene), or `statics`")
       .reason("wave", &C::wave, "the wave, or load by a wave, that demands it; null: all loads of the scene")

@@ -6,7 +6,7 @@
 
 namespace upbead {
 
-Check check_of(const std::string& name, const std::string& unit, const std::optional<double>& demand,
+Check check_of(FailureMode mode, const std::string& name, const std::string& unit, const std::optional<double>& demand,
                const std::string& measure, const std::string& assumption);
 
 /// Completes a check whose demand must not exceed a capacity.
@@ -24,6 +24,9 @@ bool is_worse(const Check& a, const Check& b);
 /// Of each check the worst, in the order of the first list; an item of `several` has the checks of one level or time.
 Checks worst_of_each(const std::vector<Checks>& several);
 
+/// The way to fail in words: "sliding landward".
+std::string mode_of(const Check& check);
+
 /// "heel pressure p_e, wave design at low".
 std::string name_of(const Check& check);
 
@@ -33,7 +36,7 @@ std::string text_of(const Check& check);
 Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings);
 
 /// Verdict and checks for the terminal; of more than `most` checks those that hold are only counted.
-std::string describe(const Verdict& verdict, const Checks& checks, std::size_t most = 24);
+std::string verdict_text(const Verdict& verdict, const Checks& checks, std::size_t most = 24);
 
 /// The keys of a check and of a verdict, the same in every summary.
 OutputSchema<Check> check_outputs();

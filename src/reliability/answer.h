@@ -85,7 +85,7 @@ ReliabilityAnswer find_reliability(const Design& design);
 
 Checks checks_of(const Design& design, const ReliabilityAnswer& answer);
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer);
-std::string describe(const Design& design, const ReliabilityAnswer& answer);
+std::string text_of(const Design& design, const ReliabilityAnswer& answer);
 /// summary.json. Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const ReliabilityAnswer& answer);
 /// The keys of that JSON.

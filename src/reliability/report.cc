@@ -149,7 +149,7 @@ NumberedWarnings one_level(const DesignTables& tables) {
 
 }  // namespace
 
-std::string describe(const Design& design, const ReliabilityAnswer& answer) {
+std::string text_of(const Design& design, const ReliabilityAnswer& answer) {
   const ReliabilityTable& table = *design.tables.reliability;
   std::string text = design.tables.title.empty() ? "" : design.tables.title + "\n";
   text += "wave " + answer.wave + ", " + significant(table.occasions_per_year, 6) + " a year, " +
@@ -162,12 +162,13 @@ std::string describe(const Design& design, const ReliabilityAnswer& answer) {
     if (!mode.point.empty()) text += point_table(mode);
   text += codes_table(answer);
   const Checks checks = checks_of(design, answer);
-  return text + "\n" + describe(verdict_of(checks, warnings_of(design, answer)), checks);
+  return text + "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
 Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
   const ModeAnswer& system = mode_of(answer, answer.system);
-  Check check = check_of("reliability index of the life", "", system.life.index, "modes." + system.name + ".life.index",
+  Check check = check_of(FailureMode::other, "reliability index of the life", "", system.life.index,
+                         "modes." + system.name + ".life.index",
                          "occasions are independent of each other" + words_of_left_out(answer) +
                              (answer.left_out.empty() ? "" : ": at most this index"));
   check.by = "formulas";

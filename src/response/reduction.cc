@@ -154,8 +154,8 @@ void require_shear_converged(const Reduction& reduction) {
   if (reduction.history.empty() || !(reduction.error.history <= reduction.tolerance)) require_converged(reduction);
 }
 
-std::vector<LooseReading> loose_readings(const Reduction& reduction) {
-  std::vector<LooseReading> list;
+std::vector<InexactReading> inexact_readings(const Reduction& reduction) {
+  std::vector<InexactReading> list;
   if (reduction.converged) return list;
   const Eigen::VectorXd& errors = reduction.error.of_reading;
   for (Eigen::Index i = 0; i < errors.size(); ++i) {

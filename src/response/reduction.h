@@ -68,7 +68,7 @@ void require_shear_converged(const Reduction& reduction);
 
 /// The readings besides F_T that have not converged, in the order of the readings; none for a model that has
 /// converged.
-std::vector<LooseReading> loose_readings(const Reduction& reduction);
+std::vector<InexactReading> inexact_readings(const Reduction& reduction);
 
 /// Largest difference of F_T between the model and a march with the same steps, over its peak: the true error of the
 /// model under the scene's own loads. Takes as long as a march with steps of a 32nd of the duration.

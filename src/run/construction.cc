@@ -144,8 +144,8 @@ std::optional<ConstructionSummary> construction_of(const Simulation& simulation,
 
 std::optional<ConstructionSummary> build(const Simulation& simulation) {
   if (simulation.scene().construction.empty()) return std::nullopt;
-  return construction_of(
-      simulation, rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("construction")));
+  return construction_of(simulation, rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(),
+                                                shown_progress("construction")));
 }
 
 }  // namespace upbead

@@ -121,7 +121,7 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   SchemeOptions scheme_options;
   scheme_options.account_energy = false;  // nobody sees these results
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
-  const auto scheme = make_scheme(simulation.compiled()->system, scheme_options);
+  const auto scheme = make_scheme(simulation.system(), scheme_options);
   const Solution solution = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);
   const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
   const double step = solution.discretisation.time_step;

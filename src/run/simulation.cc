@@ -94,9 +94,9 @@ Simulation with_system(const Simulation& simulation, std::shared_ptr<const Compi
 }
 
 Simulation bonded(const Simulation& simulation) {
-  if (!simulation.compiled()->system.interface) return simulation;
+  if (!simulation.system().interface) return simulation;
   CompiledScene compiled = *simulation.compiled();
-  compiled.system = glued(simulation.compiled()->system);
+  compiled.system = bonded(simulation.system());
   return with_system(simulation, std::make_shared<CompiledScene>(std::move(compiled)));
 }
 
@@ -140,6 +140,10 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, const Simula
   check_size(asked);
   *this = asked.mesh.refine ? on_mesh(asked, std::move(on), nullptr, &before)
                             : adapted_among(asked, std::move(on), nullptr);
+}
+
+const System& Simulation::system() const {
+  return compiled()->system;
 }
 
 }  // namespace upbead

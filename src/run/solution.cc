@@ -5,10 +5,10 @@
 #include "run/construction.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
+#include "run/monitors.h"
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/slip_ahead.h"
 #include "run/solve.h"
-#include "run/watched.h"
 #include "run/yielding_run.h"
 #include "upbead/run/simulation.h"
 
@@ -33,16 +33,9 @@ std::optional<SafetySummary> safety_of(const Simulation& simulation, const Solut
   const Scene& scene = simulation.scene();
   const bool lacks_rest = solution.yielding && !solution.yielding->found.why_no_rest.empty();
   if (!(scene.initial && scene.initial->safety) && !scene.limits.safety && !lacks_rest) return std::nullopt;
-  const SafetyFactor found =
-      safety_factor(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("strength reduction"));
+  const SafetyFactor found = safety_factor(simulation.scene(), *simulation.mesh(), simulation.soil_state(),
+                                           shown_progress("strength reduction"));
   return SafetySummary{found.lower, found.upper, found.fails_at, found.why};
-}
-
-Solution solve_in_time(const Simulation& solved, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
-                       const RunOptions& options, const std::function<void(double)>& progress) {
-  if (solved.compiled()->system.interface) return run_contact(solved, marching, progress, options.soil);
-  if (yields(solved.scene())) return run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}});
-  return solve_tied(solved, ahead, marching, progress);
 }
 
 }  // namespace
@@ -57,8 +50,8 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
       with_converged_soil(without_sliding(simulation), part_of(options.progress, 0., begin)));
   const auto ahead =
       std::make_shared<SlipAhead>(std::make_shared<const Simulation>(with_given(*solved, simulation.given())));
-  const auto monitors = std::make_shared<Watched>(*solved);
-  const bool slips = solved->compiled()->system.interface.has_value();
+  const auto monitors = std::make_shared<Monitors>(*solved);
+  const bool slips = solved->system().interface.has_value();
   const double bonded_ends =
       slips ? begin + 0.1 * (1. - begin) : begin;  // before contact a bonded run, a tenth as long
   ObserverFunction progress = progress_observer(part_of(options.progress, bonded_ends, 1.));
@@ -69,10 +62,12 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
     marching.observers.push_back(other);
   marching.stop_at_energy = solved->scene().time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
-  Solution solution =
-      solve_in_time(*solved, ahead, marching, options, part_of(options.progress, begin, slips ? bonded_ends : 1.));
+  const auto solving = part_of(options.progress, begin, slips ? bonded_ends : 1.);
+  Solution solution = slips                     ? run_contact(*solved, marching, solving, options.soil)
+                      : yields(solved->scene()) ? run_yielding(*solved, marching, {}, {true, {{}, {}, options.soil}})
+                                                : solve_tied(*solved, ahead, marching, solving);
   monitors->look(solution);
-  solution.watched = monitors;
+  solution.monitors = monitors;
   solution.safety = safety_of(*solved, solution);
   if (!solution.construction) solution.construction = build(*solved);
   return with_sliding(std::move(solution), simulation.given());

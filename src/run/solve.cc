@@ -90,10 +90,6 @@ Solution solution_of(const Simulation& simulation, const std::string& scheme, Re
   return solution;
 }
 
-/// Refined solutions cost twice as much, a quarter of the step costs four times: with it the error of sdirk4 falls by
-/// a factor of 256. More than 32 times the work is never done.
-constexpr Care cares[] = {{false, 1.}, {true, 1.}, {true, 0.25}, {true, 0.0625}};
-
 std::string reasons(const Ladder& ladder) {
   if (ladder.size() == 1) return ladder.front().refused;
   std::string text = "no way to solve this scene holds:";
@@ -156,7 +152,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
                      const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
   const Stopwatch watch;
   const Scene& scene = simulation.scene();
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene()));
   const bool is_shown = !wanted(shown.time, observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
@@ -193,29 +189,28 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   return solution;
 }
 
-std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice& choice) {
-  const auto solve = [&simulation, choice](const MarchOptions& options, const Care& care) {
-    try {
-      return run_march(simulation, choice, options, care);
-    } catch (const InputError& error) {
-      if (care.part == 1.) throw;  // the user did not ask for so many steps, so they are no mistake of the case
-      throw NumericsError(error.diagnostics().list().front().what);
-    }
-  };
-  return ways_with_care(simulation.scene(), word_of(choice.scheme, time_scheme_words), solve);
+/// Marches; `choice` must be a scheme that marches, the observers see every step.
+Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
+                   const Way& way) {
+  SchemeOptions scheme_options;
+  if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
+  scheme_options.refined = way.refined;
+  const std::unique_ptr<Scheme> scheme = make_scheme(simulation.system(), scheme_options);
+  try {
+    return march_by(*scheme, simulation, choice.reason, options, way.part);
+  } catch (const InputError& error) {
+    if (way.part == 1.) throw;  // the user did not ask for so many steps, so they are no mistake of the case
+    throw NumericsError(error.diagnostics().list().front().what);
+  }
 }
 
-/// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then sdirk4
-/// with more and more care; else the scheme that it names.
-std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const std::shared_ptr<SlipAhead>& ahead,
-                      const std::function<void(double)>& reducing) {
-  if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
-  std::vector<Way> list;
-  if (simulation.scene().time.scheme != TimeScheme::reduced && !simulation.member())
-    list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
-  list.insert(list.begin(), {"reduced", [&simulation, choice, ahead, reducing](const MarchOptions& options) {
-                               return run_reduced(simulation, choice, ahead, options.observers, reducing);
-                             }});
+/// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then `marched`
+/// with more and more work; else the scheme that it names. A member of a family of soils is reduced alone.
+std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const SchemeChoice& marched) {
+  const Scene& scene = simulation.scene();
+  if (simulation.member() || scene.time.scheme == TimeScheme::reduced) return {{"reduced", false, 1., true}};
+  std::vector<Way> list = ways_to_march(scene, word_of(marched.scheme, time_scheme_words));
+  if (choice.scheme == TimeScheme::reduced) list.insert(list.begin(), {"reduced", false, 1., true});
   return list;
 }
 
@@ -229,10 +224,14 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   ObserverFunction progress = progress_observer(reducing);
   MarchOptions silent;
   silent.observers = {&progress};
-  std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}});
+  const SchemeChoice choice{TimeScheme::sdirk4, "another scheme was refused", {}};
+  std::vector<Way> list = ways_to_march(other.scene(), word_of(choice.scheme, time_scheme_words));
   if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps it was refused
+  const auto solve = [&](const Way& way, const MarchOptions& options) {
+    return run_march(other, choice, options, way);
+  };
   try {
-    return "; time.scheme = \"auto\" answers this scene, by " + climb(other, list, silent).ladder.back().way;
+    return "; time.scheme = \"auto\" answers this scene, by " + climb(other, list, silent, solve).ladder.back().way;
   } catch (const NumericsError&) {
     return "; nor does sdirk4 answer this scene, in steps a sixteenth as long either";
   }
@@ -243,8 +242,14 @@ Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAh
   const SchemeChoice choice = simulation.member()
                                   ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", most_of_member}
                                   : choose_scheme(simulation.scene(), *simulation.compiled());
-  if (choice.scheme == TimeScheme::reduced) ahead->begin();
-  Solution solution = climb(simulation, ways(simulation, choice, ahead, reducing), marching);
+  const bool reduces = choice.scheme == TimeScheme::reduced;
+  const SchemeChoice marched = reduces ? SchemeChoice{TimeScheme::sdirk4, "the reduced model was refused", {}} : choice;
+  if (reduces) ahead->begin();
+  const auto solve = [&](const Way& way, const MarchOptions& options) {
+    return way.reduced ? run_reduced(simulation, choice, ahead, options.observers, reducing)
+                       : run_march(simulation, marched, options, way);
+  };
+  Solution solution = climb(simulation, ways(simulation, choice, marched), marching, solve);
   solution.simulation = std::make_shared<const Simulation>(simulation);
   solution.ahead = ahead;
   return solution;
@@ -296,7 +301,7 @@ ReductionSummary summary_of(const Reduction& r) {
   summary.error_of_others = r.error.others;
   if (r.states) summary.error_of_states = r.error.states;
   summary.highest_frequency = r.omega / two_pi;
-  summary.loose = loose_readings(r);
+  summary.inexact = inexact_readings(r);
   summary.tolerance_of_others = r.tolerance_of_others;
   return summary;
 }
@@ -308,27 +313,26 @@ std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& 
       require_balance(*solution.shear, energy.empty() ? EnergyAccount() : energy.back(),
                       solution.yielding ? tolerable_of_yielding(whole_tolerance(simulation)) : 1e-7);
     else if (!energy.empty())
-      require_balance(energy.back(), simulation.compiled()->system, simulation.scene().time.end);
+      require_balance(energy.back(), simulation.system(), simulation.scene().time.end);
   } catch (const Imbalance& found) {
     return found.mismatch();
   }
   return std::nullopt;
 }
 
-std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
-                                const std::function<Solution(const MarchOptions&, const Care&)>& solve) {
-  std::vector<Way> list;
-  for (const Care& care : cares) {
-    if (care.part < 1. && given.time.scheme != TimeScheme::automatic) break;
-    std::string name = scheme;
-    if (care.refined) name += ", refined solutions";
-    if (care.part < 1.) name += ", steps divided by " + significant(1. / care.part);
-    list.push_back({name, [solve, care](const MarchOptions& options) { return solve(options, care); }, !care.refined});
-  }
+std::vector<Way> ways_to_march(const Scene& given, const std::string& scheme) {
+  const std::string refined = scheme + ", refined solutions";
+  std::vector<Way> list{{scheme}, {refined, true}};
+  if (given.time.scheme != TimeScheme::automatic) return list;
+  // Refined solutions cost twice as much, a quarter of the step costs four times: with it the error of sdirk4 falls by
+  // a factor of 256. More than 32 times the work is never done.
+  for (const double part : {0.25, 0.0625})
+    list.push_back({refined + ", steps divided by " + significant(1. / part), true, part});
   return list;
 }
 
-Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching) {
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching,
+               const std::function<Solution(const Way&, const MarchOptions&)>& solve) {
   Ladder ladder;
   Closest closest;
   MarchOptions again = marching;
@@ -340,7 +344,7 @@ Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const
   for (const Way& way : ways) {
     ladder.push_back({way.name, ""});
     try {
-      Solution solution = way.solve(way.keeps_checkpoints ? marching : again);
+      Solution solution = solve(way, way.refined ? again : marching);
       const std::optional<Mismatch> off = imbalance(simulation, solution);
       if (!off) return with_ladder(std::move(solution));
       ladder.back().refused = Imbalance(*off).what();
@@ -353,15 +357,6 @@ Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const
     throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
   ladder.push_back({closest.way + ", the closest of these", ""});
   return with_ladder(std::move(*closest.solution));
-}
-
-Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
-                   const Care& care) {
-  SchemeOptions scheme_options;
-  if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
-  scheme_options.refined = care.refined;
-  const std::unique_ptr<Scheme> scheme = make_scheme(simulation.compiled()->system, scheme_options);
-  return march_by(*scheme, simulation, choice.reason, options, care.part);
 }
 
 namespace {
@@ -399,7 +394,7 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
                   double part) {
   MarchOptions marching = options;
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const TimeChoice& time = simulation.scene().time;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,28 +17,22 @@
 
 namespace upbead {
 
-/// How a march is done with more care than usual.
-struct Care {
-  bool refined = false;  ///< see SchemeOptions
-  double part = 1.;      ///< of the usual steps
-};
-
 /// One way to solve a scene in time.
 struct Way {
-  std::string name;  ///< name in messages and in the summary
-  std::function<Solution(const MarchOptions&)> solve;
-  bool keeps_checkpoints = false;  ///< at most one of the ways may keep them
+  std::string name;      ///< name in messages and in the summary
+  bool refined = false;  ///< a march whose solutions are refined, see SchemeOptions; only others keep checkpoints
+  double part = 1.;      ///< length of the steps of a march, over the usual one
+  bool reduced = false;  ///< by a reduced model
 };
 
-/// A march with more and more care: as usual, with refined solutions, and, where the case leaves the scheme open,
-/// also in shorter steps. Names are "SCHEME", "SCHEME, refined solutions, steps divided by 4".
-std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
-                                const std::function<Solution(const MarchOptions&, const Care&)>& solve);
+/// Marches of more and more work: as usual, with refined solutions, and, where the case leaves the scheme open, also in
+/// shorter steps. Names are "SCHEME", "SCHEME, refined solutions, steps divided by 4".
+std::vector<Way> ways_to_march(const Scene& given, const std::string& scheme);
 
-/// The result of the first way that gives one and balances, with its ladder. Where none
-/// balances, the result that comes closest, if it is bearable; it then needs a warning. Else throws NumericsError
-/// with all reasons.
-Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching);
+/// The result of the first way by which solve() gives one that balances, with its ladder. Where none balances, the
+/// result that comes closest, if it is bearable; it then needs a warning. Else throws NumericsError with all reasons.
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching,
+               const std::function<Solution(const Way&, const MarchOptions&)>& solve);
 
 /// The balance that a result violates, see require_balance of response/shear_response.h. Throws NumericsError where
 /// it stores more energy than the loads have supplied.
@@ -67,9 +62,5 @@ Solution solve_tied(const Simulation& simulation, const std::shared_ptr<SlipAhea
 /// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen.
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
                   double part = 1.);
-
-/// Marches; `choice` must be a scheme that marches, the observer sees every step.
-Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
-                   const Care& care = {});
 
 }  // namespace upbead

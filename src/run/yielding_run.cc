@@ -62,7 +62,7 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
 /// The work of soil; a system whose interface is bonded lacks the interface's unknowns.
 SoilWork work_of(const Simulation& simulation) {
   SoilWork work;
-  work.n_unknowns = simulation.compiled()->system.size();
+  work.n_unknowns = simulation.system().size();
   work.followed = followed_readings(*simulation.space(), simulation.scene());
   return work;
 }
@@ -114,21 +114,21 @@ YieldingSolution yielding_of(const Simulation& simulation, RestStart start, cons
 }
 
 Solution march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
-                    const Care& care, const YieldingFollower& follower) {
+                    const Way& way, const YieldingFollower& follower) {
   const SoilLaws laws = soil_laws(simulation.scene(), *simulation.space(), rest.elastic.stress, start,
                                   rest.failing ? &rest.failing->stresses : nullptr);
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   const auto soil =
       yielding_soil(*simulation.space(), *simulation.unknowns(), system.readings, laws.points, work_of(simulation));
   const auto scheme = make_yielding_scheme(
-      system, *soil, {yielding_tolerance * whole_tolerance(simulation), care.refined, rest.elastic.weight});
+      system, *soil, {yielding_tolerance * whole_tolerance(simulation), way.refined, rest.elastic.weight});
   if (follower.soil) follower.soil(*soil);
   YieldingWatch watch(*simulation.space(), *simulation.unknowns(), *soil);
   MarchOptions followed = marching;
   followed.observers.push_back(&watch);
   if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
     followed.observers.insert(followed.observers.begin(), observer);
-  Solution solution = march_by(*scheme, simulation, "soil that yields", followed, care.part);
+  Solution solution = march_by(*scheme, simulation, "soil that yields", followed, way.part);
   solution.discretisation.why_scheme += "; " + percent(soil->share_skipped()) +
                                         " of the updates of cells were left out, as no soil in those cells could yield";
   solution.yielding = yielding_of(simulation, start, rest, laws, *soil, watch, *scheme->yielding(), solution);
@@ -138,10 +138,10 @@ Solution march_from(const Simulation& simulation, RestStart start, const Rest& r
 
 Solution climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
                     const YieldingFollower& follower = {}) {
-  const auto solve = [&](const MarchOptions& options, const Care& care) {
-    return march_from(simulation, start, rest, options, care, follower);
+  const auto solve = [&](const Way& way, const MarchOptions& options) {
+    return march_from(simulation, start, rest, options, way, follower);
   };
-  return climb(simulation, ways_with_care(simulation.scene(), "yielding", solve), marching);
+  return climb(simulation, ways_to_march(simulation.scene(), "yielding"), marching, solve);
 }
 
 StartBound bound_of(const Solution& solution) {
@@ -160,7 +160,7 @@ Solution run_yielding(const Simulation& simulation, const MarchOptions& marching
   Rest rest{solve_static(simulation.scene(), *simulation.mesh()), {}, {}};
   if (needs_rest_state(simulation.scene())) {
     RestState found =
-        rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(), watched("state at rest"));
+        rest_state(simulation.scene(), *simulation.mesh(), simulation.soil_state(), shown_progress("state at rest"));
     rest.why_none = why_none(found);
     rest.construction = construction_of(simulation, found);
     if (found.found) rest.failing = std::move(found);

@@ -84,7 +84,7 @@ Reading residual(const System& system, int i, double sign, const ReadingName& na
 
 }  // namespace
 
-System glued(const System& system, bool forces) {
+System bonded(const System& system, bool forces) {
   const int n = system.first_slip(), nodes = system.interface->n_nodes();
   Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), n};
   for (int i = 0; i < n; ++i) selection.of_old[i] = i;

@@ -12,7 +12,7 @@ inline const std::string interface_group = "interface";
 /// The bodies bonded: the system without the unknowns of its interface. With `forces` it also has readings of the
 /// forces at all nodes: alternately shear_force T_i (N/m), on the lower body, landward, and normal_force, the change
 /// of the effective N_i (N/m).
-System glued(const System& system, bool forces = false);
+System bonded(const System& system, bool forces = false);
 
 /// The upper body may slip as a whole: all nodes have the same slip s (m, landward), which is free, and no opening. s
 /// is the last free unknown. Its residual is -F_T, with F_T the shear force on the lower body; no load acts on s yet.

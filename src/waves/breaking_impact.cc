@@ -73,7 +73,7 @@ std::string by_the_map(const BreakingImpact& a) {
 
 }  // namespace
 
-std::string describe(const ImpactScatter& scatter, const BreakingImpact& a) {
+std::string text_of(const ImpactScatter& scatter, const BreakingImpact& a) {
   const std::string heights = "H_b = " + significant(a.breaker) + " m" +
                               (scatter.breaker ? " (given)" : " by mound and L") + ", " + significant(100. * a.share) +
                               " % of the waves break there; waves of this sea are " + by_the_map(a) +

@@ -8,7 +8,6 @@
 
 #include "base/stopwatch.h"
 #include "expected/dynamic_law.h"
-#include "fem/caisson/readings.h"
 #include "upbead/expected/life.h"
 #include "upbead/output/model_file.h"
 
@@ -74,8 +73,7 @@ std::shared_ptr<const ShearAnswer> read(const char* path, double step) {
   const ReducedModelFile file = read_model_file(path);
   const ModalModel& modes = file.modes;
   return std::make_shared<const ShearAnswer>(
-      ShearModel{modes, 0, modes.index(reading::shear_force), modes.feedthrough(modes.index(reading::force), 0),
-                 file.caisson_mass},
+      ShearModel{modes, 0, modes.index("shear_force"), modes.feedthrough(modes.index("force"), 0), file.caisson_mass},
       step, 20.);
 }
 

@@ -13,17 +13,16 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
-#include "case/case_run.h"
 #include "dynamics/batch_response.h"
 #include "dynamics/projection.h"
 #include "dynamics/state_space.h"
-#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "response/shear_response.h"
 #include "response/time_choice.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case_run.h"
 #include "upbead/sliding/block.h"
 
 namespace upbead {
@@ -51,7 +50,7 @@ class Bench {
  public:
   explicit Bench(const Simulation& scene)
       : scene_(scene),
-        system_(scene.compiled()->system),
+        system_(scene.system()),
         duration_(step_of_loads(scene.scene(), 4).duration),
         coarse_(make_time_grid(kinks(system_), scene.scene().time.end, duration_ / 2.)) {
     for (const SystemLoad& load : system_.loads) histories_.push_back(load.history);
@@ -84,7 +83,7 @@ class Bench {
   }
 
   Shear shear_of(const Response& response, int refinement) const {
-    return {response.ends.reading.row(system_.reading(reading::shear_force)),
+    return {response.ends.reading.row(system_.reading("shear_force")),
             read_shear_response(*scene_.compiled(), response, true).peak_shear, refinement};
   }
 
@@ -149,7 +148,7 @@ class Bench {
     const Reduction reduction = reduce_scene(scene_.scene(), *scene_.compiled(), {true, true, {}});
     constexpr int n_waves = 2000, n_samples = 2000;
     constexpr double step = 1e-3;
-    const BatchResponse batch(reduction.model, system_.reading(reading::shear_force), step);
+    const BatchResponse batch(reduction.model, system_.reading("shear_force"), step);
     History F_T{std::vector<double>(n_samples), std::vector<double>(n_samples)};
     for (int n = 0; n < n_samples; ++n) F_T.time[n] = n * step;
     WaveSamples loads = WaveSamples::Zero(reduction.model.n_loads(), n_samples);

@@ -19,9 +19,9 @@
 #include "../../src/algebra/condensation.h"
 #include "../../src/algebra/ldlt/ldlt.h"
 #include "base/stopwatch.h"
-#include "case/case_run.h"
 #include "fem/compile.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead {
 namespace {
@@ -210,7 +210,7 @@ Json cholmod(const Problem& p) {
 }
 
 Json measure(const Simulation& scene) {
-  const System& system = scene.compiled()->system;
+  const System& system = scene.system();
   const SparseMatrix E = effective_matrix(system, 0.0025);
   const Problem p = condensed(E, system.blocks);
   Json json{{"unknowns", system.n_free()}, {"condensed", p.A.rows()}, {"entries_of_matrix", p.A.nonZeros()}};

@@ -75,7 +75,7 @@ TEST_F(FlowFiles, SecondHeadBeginsAnotherRun) {
     expect_row(*record.forces, 1, 0.25, 16, 4, porous);
     expect_row(*record.forces, 2, 0.5, 32, 8, porous);
     expect_row(*record.forces, 3, 0.75, 64, 16, porous);
-    EXPECT_HAS(describe(record), "the run from line 9 on goes on from t = 0.5 s");
+    EXPECT_HAS(text_of(record), "the run from line 9 on goes on from t = 0.5 s");
   }
 }
 
@@ -87,7 +87,7 @@ TEST_F(FlowFiles, OfRunsInOneFileTheLaterStartWins) {
   expect_row(*record.forces, 0, 0.125, 8, 2);
   expect_row(*record.forces, 1, 0.25, 24, 6);
   expect_row(*record.forces, 2, 0.375, 40, 10);
-  EXPECT_HAS(describe(record), "in place of 2 rows");
+  EXPECT_HAS(text_of(record), "in place of 2 rows");
 }
 
 TEST_F(FlowFiles, SecondHeadThatSaysSomethingElseIsRefused) {
@@ -154,7 +154,7 @@ TEST_F(FlowFiles, RunsBesideEachOtherAreJoinedByTheirStart) {
     ASSERT_EQ(record.forces->time.size(), 4U) << name;
     expect_row(*record.forces, 3, 0.5, 40, 10);
     EXPECT_EQ(record.files.size(), 2U);
-    EXPECT_HAS(describe(record), "forces_0.25.dat' goes on from t = 0.375 s, in place of 1 rows");
+    EXPECT_HAS(text_of(record), "forces_0.25.dat' goes on from t = 0.375 s, in place of 1 rows");
   }
   EXPECT_EQ(read("", "forces_0.25.dat").time().size(), 2U) << "named alone";
   fs::rename(folder_ + "/0/forces_0.25.dat", folder_ + "/0/forces_0.1.dat");
@@ -172,9 +172,9 @@ TEST_F(FlowFiles, LaterRunsInFoldersBesideAreTold) {
   write("wall/0.25/forces.dat", head() + row(0.375, 24, 6));
   write("wall/0.5/p", "# Probe 0 (0 0 0)\n# Time 0\n0.1 1\n");
   for (const char* name : {"wall/0", "wall/0/", "wall/0/forces.dat"})
-    EXPECT_HAS(describe(read(name)), "of the runs beside it, from 0.25 s, nothing is read") << name;
+    EXPECT_HAS(text_of(read(name)), "of the runs beside it, from 0.25 s, nothing is read") << name;
   for (const char* name : {"wall/0.25", "wall"})
-    EXPECT_EQ(describe(read(name, "forces.dat")).find("nothing is read"), std::string::npos) << name;
+    EXPECT_EQ(text_of(read(name, "forces.dat")).find("nothing is read"), std::string::npos) << name;
 }
 
 TEST_F(FlowFiles, MomentsOfRunsBesideAreTheirOwn) {
@@ -271,7 +271,7 @@ TEST_F(FlowFiles, SurfacesInXyAreReadAsRawOnes) {
     EXPECT_FALSE(record.points->are_faces || record.points->are_vertices) << name << " does not say what they are";
     EXPECT_THROW(load_of(record, FlowQuantity::pressure), InputError) << "so it is asked for";
   }
-  EXPECT_HAS(describe(read("more")), "U_x is left out");
+  EXPECT_HAS(text_of(read("more")), "U_x is left out");
   write("set/0.2/wall_p.xy", rows + " 1 0.7 0.05\n");
   EXPECT_HAS(refusal("set"), "this row has 3 numbers in place of x, y, z, p");
   write("raw/0.2/p_front.raw", "# p FACE_DATA 3\n# x y z p\n" + rows + "# p FACE_DATA 6\n# x y z p\n" + rows);

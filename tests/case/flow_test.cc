@@ -131,14 +131,14 @@ TEST(Flow, TheLaterStartWinsFromItsFirstTimeOn) {
 
 TEST(Flow, TimesThatRepeatAreTold) {
   const FlowRecord late = read_flow(samples + "/late_start", "", {});
-  EXPECT_NE(describe(late).find("repeat the time"), std::string::npos);
+  EXPECT_NE(text_of(late).find("repeat the time"), std::string::npos);
   for (std::size_t i = 1; i < late.time().size(); ++i) EXPECT_GT(late.time()[i], late.time()[i - 1]);
 }
 
 TEST(Flow, SecondRunOfTheSameStartIsTakenWhereItSaysTheSame) {
   const FlowRecord same = read_flow(samples + "/same_start", "", {});
   EXPECT_EQ(same.time().size(), 24U);
-  EXPECT_NE(describe(same).find("says the same"), std::string::npos);
+  EXPECT_NE(text_of(same).find("says the same"), std::string::npos);
 }
 
 TEST(Flow, DualSphysicsTablesAreThoseOfOpenFoam) {
@@ -150,7 +150,7 @@ TEST(Flow, DualSphysicsTablesAreThoseOfOpenFoam) {
   EXPECT_EQ(comma.points->rows.value, probes.points->rows.value);
   EXPECT_EQ(semicolon.points->at, probes.points->at);
   EXPECT_EQ(probes.points->at.size(), 5U) << "the sixth lies outside the mesh";
-  EXPECT_NE(describe(probes).find("Not Found"), std::string::npos);
+  EXPECT_NE(text_of(probes).find("Not Found"), std::string::npos);
   const FlowRecord gauge = read_flow(samples + "/dualsphysics/GaugesForce_Wall.csv", "", {});
   EXPECT_TRUE(gauge.forces && gauge.forces->moment.empty());
   EXPECT_DOUBLE_EQ(gauge.forces->force[0][0], 12.40048);
@@ -188,8 +188,8 @@ TEST(Flow, WhatTheFilesDoNotTellIsAskedForAllAtOnce) {
 
 TEST(Flow, NewtonsAreToldWithTheirThickness) {
   const FlowLoad load = load_of(bore + "/forces", "", {}, bore_keys());
-  EXPECT_NE(describe("wall", load).find("99.09 N over a thickness of 0.1 m along y: 990.9 N/m"), std::string::npos)
-      << describe("wall", load);
+  EXPECT_NE(text_of("wall", load).find("99.09 N over a thickness of 0.1 m along y: 990.9 N/m"), std::string::npos)
+      << text_of("wall", load);
 }
 
 TEST(Flow, AnyAxesGiveTheSameLoad) {

@@ -1,7 +1,10 @@
 // Claims: a case with more steps or fields than a machine can handle is refused before meshing, at the key that
 // causes the number; a consolidation of days with automatic steps is not.
-#include "case/case_run.h"
+#include "upbead/run/simulation.h"
+
 #include "good_case.h"
+#include "upbead/base/error.h"
+#include "upbead/case/case.h"
 
 namespace upbead::test {
 namespace limits_of_size_test {
@@ -11,11 +14,11 @@ class LimitsOfSize : public InFolder {
   /// The message about the good case with overrides; "" if there is none.
   static std::string said(const std::vector<std::string>& overrides) {
     write("case.toml", good_case);
+    const Case input = read_case("case.toml", overrides);
     try {
-      const Case input = read_case("case.toml", overrides);
-      in_places_of(input, [&] { check_size(input.scene); });
+      check_size(input.scene);
     } catch (const InputError& error) {
-      return error.what();
+      return input.placed(error).what();
     }
     return "";
   }

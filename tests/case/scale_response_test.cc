@@ -1,11 +1,9 @@
 // Claim: the scaled case with Froude-similar soil has the same dimensionless F_T, marched and reduced.
-#include "case/case_run.h"
 #include "case/scale.h"
-#include "fem/caisson/readings.h"
-#include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace scale_response_test {
@@ -30,7 +28,7 @@ class ScaledResponse : public InFolder, public testing::WithParamInterface<std::
   static Eigen::RowVectorXd shear_force(const std::string& path) {
     const Case problem = read_case(path, {"time.scheme=" + GetParam()});
     const Simulation scene = simulation_of(problem);
-    return solve(problem, scene, {}).response.ends.reading.row(scene.compiled()->system.reading(reading::shear_force));
+    return solve(problem, scene).response.ends.reading.row(scene.system().reading("shear_force"));
   }
 
   /// The case at 1/20 of its size has the same history of F_T / L^2, step by step.

@@ -6,16 +6,15 @@
 #include <random>
 
 #include "base/numbers.h"
-#include "case/case_run.h"
 #include "case/case_schema.h"
 #include "case/scale.h"
 #include "case/time_end.h"
 #include "expected/dynamic_law.h"
-#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/wave_heights.h"
 
@@ -123,7 +122,7 @@ TEST_F(WaveLoadTest, PutsThoseOfALowObliqueWaveBeforeASea) {
 TEST_F(WaveLoadTest, RunAnswersWithPAndU) {
   const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"triangle\" }"), {"time.end=1.5"});
   const Simulation simulation = simulation_of(problem);
-  const upbead::Run run = solve(problem, simulation, {});
+  const upbead::Run run = solve(problem, simulation);
   const WavePressure pressure = Goda(section_of_test, water_of_test, {8., 8. / 1.8, 12., 0.}).at(8.);
   EXPECT_NEAR(run.summary.response->peak_force, pressure.force, 1e-12 * pressure.force);
   EXPECT_NEAR(*run.summary.response->arm, pressure.force_moment / pressure.force, 1e-8);
@@ -456,7 +455,7 @@ const std::string standing_wave = "{ height = 5.0, period = 9.0, course = \"stan
 TEST_F(WaveLoadTest, StandingWavePushesAndPullsAsOnItsWall) {
   const Case problem = read(wave_case(standing_wave), {"time.end=18", "time.step=0.02"});
   const Simulation simulation = simulation_of(problem);
-  const upbead::Run run = solve(problem, simulation, {});
+  const upbead::Run run = solve(problem, simulation);
   const StandingExtremes worst = standing_extremes(StandingWave({15., 5., 9.}, water_of_test), section_of_test);
   const ShearResponse& response = *run.summary.response;
   EXPECT_NEAR(response.peak_force / worst.landward.force, 1., 1e-8);

@@ -8,10 +8,10 @@
 
 #include "bad_case.h"
 #include "base/numbers.h"
-#include "case/case_run.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {

@@ -30,8 +30,10 @@ class Sheet(ProgramTest):
         self.assertEqual(texts, sorted(check["text"] for part in parts.values() for check in part["checks"]))
         self.assertEqual(sheet["verdict"]["failing"], sum(part["verdict"]["failing"] for part in parts.values()))
         self.assertEqual(sheet["verdict"]["checked"], sum(part["verdict"]["checked"] for part in parts.values()))
+        limits = json.loads(upbead("run", "--schema").stdout)["properties"]["limits"]["properties"]
         for row in sheet["checks"]:  # no check stands apart as a way to fail of its own
             self.assertNotIn(row["mode"], texts)
+            self.assertIn(row["limit"], [None, *limits], row["name"])
         for command, part in parts.items():
             self.assertEqual(sheet[command]["checks"], part["checks"], command)
         self.check_governing(sheet["checks"])
@@ -155,6 +157,7 @@ class Sheet(ProgramTest):
         rows = {row["measure"]: row for row in sheet["checks"]}
         for key in limits:
             row = rows[f"limits.{key}"]
+            self.assertEqual(row["limit"], key)
             self.assertIsNone(row["holds"])
             self.assertTrue(row["why_not"], key)
             self.assertIn(row["name"] + ": not checked", screen)

@@ -45,7 +45,7 @@ double mean_slip(const State& state, int n) {
 
 TEST(FrictionalContact, IsSdirkOnTheGluedSystemUnlessFrictionIsReached) {
   const System system = wide_block(7).system(triangle(1e6, 0.3), triangle(3e5, 0.2));
-  const System as_one = glued(system);
+  const System as_one = bonded(system);
   const auto contact = make_contact_scheme(system);
   const auto plain = make_scheme(as_one);
   State a = at_rest(system), b = at_rest(as_one);

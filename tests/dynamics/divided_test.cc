@@ -14,9 +14,9 @@ using namespace upbead;
 using namespace upbead::test;
 
 /// Copies of the sample system, joined at two u, one phi and the prescribed phi.
-class Glued {
+class Joined {
  public:
-  explicit Glued(int count) : count_(count), sample_(sample_system({1., 1., 1., 0.1, false, true})) {}
+  explicit Joined(int count) : count_(count), sample_(sample_system({1., 1., 1., 0.1, false, true})) {}
 
   /// Index in the whole system of unknown i of one copy: the shared unknowns come first, then copy by copy.
   int index(int copy, int i) const {
@@ -89,13 +89,13 @@ class Divided : public testing::TestWithParam<std::tuple<int, SchemeKind>> {};
 
 TEST_P(Divided, MarchesAsTheWholeDoes) {
   const auto [count, kind] = GetParam();
-  const Glued glued(count);
-  const Response whole = run(glued.system(0, count), kind);
+  const Joined joined(count);
+  const Response whole = run(joined.system(0, count), kind);
   std::vector<Response> found(static_cast<std::size_t>(count));
   std::vector<std::vector<int>> index(found.size());
   test::on_processes(count, [&, scheme = kind](const std::shared_ptr<const Processes>& processes) {
     const int rank = processes->rank();
-    System part = glued.system(rank, rank + 1);
+    System part = joined.system(rank, rank + 1);
     index[rank] = divide(part, {}, processes);
     found[rank] = run(part, scheme);
   });
@@ -115,32 +115,32 @@ INSTANTIATE_TEST_SUITE_P(Processes, Divided,
                                           testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha)));
 
 TEST(Division, HoldsOwnAndSharedUnknownsInTheirOrder) {
-  const Glued glued(3);
+  const Joined joined(3);
   test::on_processes(3, [&](const std::shared_ptr<const Processes>& processes) {
     const int rank = processes->rank();
-    System part = glued.system(rank, rank + 1);
-    const std::vector<int> index = divide(part, {glued.index(1, 2)}, processes);
+    System part = joined.system(rank, rank + 1);
+    const std::vector<int> index = divide(part, {joined.index(1, 2)}, processes);
     const int own = rank == 1 ? 0 : 1;  // the unknown that every process is asked to hold is additional elsewhere
     EXPECT_EQ(part.size(), 14 + own);
     EXPECT_EQ(part.n_prescribed, 1);
     EXPECT_EQ(part.loads[1].prescribed, part.size() - 1);
     EXPECT_EQ(part.blocks.size(), 2U);
-    EXPECT_EQ(index[glued.index(rank, 6)], part.blocks[0].begin);
-    EXPECT_EQ(part.sharing.unknowns, (std::vector<int>{0, 1, 2, index[glued.index(1, 2)]}));
-    for (int other = 0; other < 3; ++other) EXPECT_EQ(index[glued.index(other, 4)] >= 0, other == rank);
+    EXPECT_EQ(index[joined.index(rank, 6)], part.blocks[0].begin);
+    EXPECT_EQ(part.sharing.unknowns, (std::vector<int>{0, 1, 2, index[joined.index(1, 2)]}));
+    for (int other = 0; other < 3; ++other) EXPECT_EQ(index[joined.index(other, 4)] >= 0, other == rank);
   });
 }
 
 TEST(Division, NoticesSystemsOfDifferentSizes) {
   test::on_processes(2, [&](const std::shared_ptr<const Processes>& processes) {
-    System part = Glued(2 + processes->rank()).system(0, 1);
+    System part = Joined(2 + processes->rank()).system(0, 1);
     EXPECT_THROW(divide(part, {}, processes), NumericsError);
   });
 }
 
 TEST(Division, DoesNotStopEarly) {
   test::on_processes(1, [&](const std::shared_ptr<const Processes>& processes) {
-    System part = Glued(1).system(0, 1);
+    System part = Joined(1).system(0, 1);
     divide(part, {}, processes);
     const auto scheme = make_scheme(part);
     MarchOptions options;

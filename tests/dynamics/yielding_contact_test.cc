@@ -18,11 +18,11 @@ namespace yielding_contact_test {
 /// The horizontal springs under the nodes of a block slide at a strength of their own.
 class YieldingGround : public InternalForce {
  public:
-  YieldingGround(const BlockOnNodes& block, double strength, bool glued = false)
+  YieldingGround(const BlockOnNodes& block, double strength, bool is_bonded = false)
       : kx_(block.kx), height_(block.height), strength_(strength), n_(block.position.size()), slid_(n_, 0.) {
     rows_ = {0, 2};
-    for (std::size_t i = 0; !glued && i < n_; ++i) rows_.push_back(3 + static_cast<int>(i));
-    glued_ = glued;
+    for (std::size_t i = 0; !is_bonded && i < n_; ++i) rows_.push_back(3 + static_cast<int>(i));
+    bonded_ = is_bonded;
   }
   const std::vector<int>& rows() const override { return rows_; }
   void evaluate(const Vector& x, Vector& p) override {
@@ -31,7 +31,7 @@ class YieldingGround : public InternalForce {
       const double u = displacement(x, i), c = kx_ * u - force(u, i);
       p[0] += c;
       p[1] += height_ * c;
-      if (!glued_) p[2 + static_cast<Eigen::Index>(i)] -= c;
+      if (!bonded_) p[2 + static_cast<Eigen::Index>(i)] -= c;
     }
   }
   double commit(const Vector& x) override {
@@ -54,13 +54,13 @@ class YieldingGround : public InternalForce {
 
  private:
   double displacement(const Vector& x, std::size_t i) const {
-    return x[0] + height_ * x[2] - (glued_ ? 0. : x[3 + static_cast<Eigen::Index>(i)]);
+    return x[0] + height_ * x[2] - (bonded_ ? 0. : x[3 + static_cast<Eigen::Index>(i)]);
   }
   double force(double u, std::size_t i) const { return std::clamp(kx_ * (u - slid_[i]), -strength_, strength_); }
 
   double kx_, height_, strength_;
   std::size_t n_;
-  bool glued_ = false;
+  bool bonded_ = false;
   std::vector<double> slid_;
   std::vector<int> rows_;
   double stored_ = 0., largest_ = 0.;
@@ -123,7 +123,7 @@ TEST(YieldingContact, IsContactAloneWhereTheSoilCannotYield) {
 TEST(YieldingContact, IsTheSoilAloneWhereFrictionHoldsEverything) {
   BlockOnNodes block = one_node();
   block.friction = 1e6;
-  const System system = block.system(triangle(4e6, 0.2)), tied = glued(system);
+  const System system = block.system(triangle(4e6, 0.2)), tied = bonded(system);
   YieldingGround under(block, 1.5e6), soil(block, 1.5e6, true);
   const Marched both = march_both(system, block, under, 0.6, 240), alone = march_both(tied, block, soil, 0.6, 240);
   EXPECT_LT((both.state.x.head(3) - alone.state.x.head(3)).norm(), 1e-8 * alone.state.x.head(3).norm());

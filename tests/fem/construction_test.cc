@@ -15,7 +15,6 @@
 #include <cmath>
 
 #include "fem/rest_state.h"
-#include "fem/scene_check.h"
 #include "scenes.h"
 #include "tensor_mesh.h"
 
@@ -448,7 +447,7 @@ TEST_P(ConstructionCheck, SaysWhatDoesNotFit) {
   Scene scene = yielding_section();
   build_as_usual(scene);
   GetParam().edit(scene);
-  const auto wrong = check_scene(scene, *breakwater_mesh(0.25)).list();
+  const auto wrong = mistakes(scene, *breakwater_mesh(0.25));
   ASSERT_EQ(wrong.size(), 1u);
   EXPECT_EQ(wrong[0].place.key, GetParam().key);
   EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
@@ -501,7 +500,7 @@ TEST(Construction, TellsAllMistakesAtOnce) {
   Scene scene = yielding_section();
   set_order(scene, {{"seabed", "rock"}, {"caisson", "caisson"}});
   scene.construction["stage1"].caisson_share = 0.9;
-  EXPECT_EQ(check_scene(scene, *breakwater_mesh(0.25)).list().size(), 4u);  // rock, twice, no mound, not full
+  EXPECT_EQ(mistakes(scene, *breakwater_mesh(0.25)).size(), 4u);  // rock, twice, no mound, not full
 }
 
 }  // namespace construction_test

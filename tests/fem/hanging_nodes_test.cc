@@ -7,7 +7,6 @@
 
 #include "fem/faces.h"
 #include "mesh/refine.h"
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {
@@ -81,7 +80,7 @@ TEST(HangingNodes, BothRoutesToTheShearForceAndTheEnergyAgree) {
   add_sea(scene);
   const Compiled compiled(scene, *mesh);
   const Response response = run(compiled, 0.3, 0.01);
-  EXPECT_LE(read_shear_response(compiled.scene, response, true).reaction_mismatch, 1e-10);
+  EXPECT_LE(shear_of(compiled, response).reaction_mismatch, 1e-10);
   EXPECT_LE(response.energy.back().mismatch(), 1e-10);
 }
 

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {
@@ -45,7 +44,7 @@ TEST(OpenSides, IncompressibleWaterIsWellPosed) {
       for (const char* name : {"seabed", "mound"}) scene.regions[name].flow = flow;
       const auto mesh = breakwater_mesh(0.5);
       const Compiled compiled(scene, *mesh);
-      const ShearResponse shear = read_shear_response(compiled.scene, run(compiled, 0.2, 0.0125), true);
+      const ShearResponse shear = shear_of(compiled, run(compiled, 0.2, 0.0125));
       EXPECT_LE(shear.reaction_mismatch, 1e-8);
       EXPECT_NEAR(*shear.shear_to_force_ratio, 0.43, 0.03);
     }

@@ -1,8 +1,6 @@
 // Claim: every way in which a scene and a mesh may not fit is reported with its key. Source: the checks' contract in
 // scene_check.h.
 
-#include "fem/scene_check.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -29,7 +27,7 @@ TEST_P(SceneCheck, SaysWhatDoesNotFit) {
   Scene scene = breakwater(triangle(1., 0.1));
   GetParam().edit(scene);
   const auto mesh = breakwater_mesh(0.5);
-  const auto wrong = check_scene(scene, *mesh).list();
+  const auto wrong = mistakes(scene, *mesh);
   ASSERT_EQ(wrong.size(), 1u);
   EXPECT_EQ(wrong[0].place.key, GetParam().key);
   EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
@@ -117,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Misfits, SceneCheck, ::testing::ValuesIn(misfits),
 
 TEST(SceneCheckOfAGoodScene, IsSilent) {
   const auto mesh = breakwater_mesh(0.5);
-  EXPECT_TRUE(check_scene(breakwater(triangle(1., 0.1)), *mesh).empty());
+  EXPECT_TRUE(mistakes(breakwater(triangle(1., 0.1)), *mesh).empty());
 }
 
 }  // namespace scene_check_test

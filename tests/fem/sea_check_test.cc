@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "fem/scene_check.h"
 #include "scenes.h"
 
 namespace upbead::test {
@@ -35,7 +34,7 @@ TEST_P(SeaCheck, SaysWhatDoesNotFit) {
   Scene scene = sea_scene();
   GetParam().edit(scene);
   const auto mesh = breakwater_mesh(0.5, with_sea());
-  const auto wrong = check_scene(scene, *mesh).list();
+  const auto wrong = mistakes(scene, *mesh);
   ASSERT_EQ(wrong.size(), 1u);
   EXPECT_EQ(wrong[0].place.key, GetParam().key);
   EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
@@ -94,13 +93,13 @@ INSTANTIATE_TEST_SUITE_P(Misfits, SeaCheck, ::testing::ValuesIn(misfits),
 
 TEST(SeaCheckOfAGoodScene, IsSilent) {
   const auto mesh = breakwater_mesh(0.5, with_sea());
-  EXPECT_TRUE(check_scene(sea_scene(), *mesh).empty());
+  EXPECT_TRUE(mistakes(sea_scene(), *mesh).empty());
 }
 
 TEST(SeaCheckOfAGoodScene, IsSilentWhereTheMeshLeavesTheSeaOut) {
   const auto mesh = breakwater_mesh(0.5);
   const Scene scene = sea_scene();
-  EXPECT_TRUE(check_scene(scene, *mesh).empty());
+  EXPECT_TRUE(mistakes(scene, *mesh).empty());
   const ResolvedScene resolved = resolve(scene, *mesh);
   EXPECT_EQ(resolved.scene.regions.count("sea_front"), 0u);
   EXPECT_EQ(resolved.decisions.front().left_out, "sea_back");
@@ -110,7 +109,7 @@ TEST(QuasiStatic, RefusesWaterAndWaves) {
   Scene scene = sea_scene();
   scene.time.inertia = false;
   scene.boundaries["left"].displacement = DisplacementCondition::absorbing;
-  const auto wrong = check_scene(scene, *breakwater_mesh(0.5, with_sea())).list();
+  const auto wrong = mistakes(scene, *breakwater_mesh(0.5, with_sea()));
   ASSERT_EQ(wrong.size(), 3u);
   EXPECT_EQ(wrong[0].place.key, "regions.sea_back.kind");
   EXPECT_EQ(wrong[2].place.key, "boundaries.left.displacement");

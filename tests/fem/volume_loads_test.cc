@@ -8,9 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fem/caisson/reading_names.h"
 #include "fem/domain_of_influence.h"
-#include "fem/scene_check.h"
 #include "response/shear_response.h"
 #include "scenes.h"
 #include "tensor_mesh.h"
@@ -190,7 +188,7 @@ TEST(Gravity, StillWaterStandsInAMoundWithSlopesAndTheCaissonWeighsItsMass) {
   EXPECT_NEAR(last(compiled, response, "force_vertical"), -mass * g, 1e-9 * mass * g);
   EXPECT_NEAR(last(compiled, response, "normal_force"), mass * g, 1e-7 * mass * g);
   EXPECT_NEAR(last(compiled, response, "uplift"), rho_f * g * 9. * 18., 1e-6 * mass * g);
-  EXPECT_NEAR(last(compiled, response, "shear_force") - last(compiled, response, reading::shear_by_inertia), 0.,
+  EXPECT_NEAR(last(compiled, response, "shear_force") - last(compiled, response, "shear_force_by_inertia"), 0.,
               1e-8 * mass * g);
 }
 
@@ -217,7 +215,7 @@ TEST_P(Flows, BothRoutesToTheShearForceAgree) {
     const Compiled compiled(scene, *mesh);
     const Response response = run(compiled, 0.4, 0.02);
     const auto F = history(compiled, response, "shear_force"),
-               other = history(compiled, response, reading::shear_by_inertia);
+               other = history(compiled, response, "shear_force_by_inertia");
     EXPECT_LE((F - other).cwiseAbs().maxCoeff(), 1e-8 * F.cwiseAbs().maxCoeff());
     EXPECT_LE(response.energy.back().mismatch(), 1e-8);
     for (const LoadOnCaisson& load : compiled.scene.loads_on_caisson) {
@@ -275,7 +273,7 @@ TEST_P(MisplacedLoad, IsToldAtItsKey) {
   scene.loads["a"] = on_volume(GetParam().kind, GetParam().region, triangle(1., 0.1));
   GetParam().edit(scene);
   const auto mesh = breakwater_mesh(0.5);
-  const auto wrong = check_scene(scene, *mesh).list();
+  const auto wrong = mistakes(scene, *mesh);
   ASSERT_EQ(wrong.size(), 1u);
   EXPECT_EQ(wrong[0].place.key, GetParam().key);
   EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
@@ -308,7 +306,7 @@ TEST(Gravity, IsRefusedBesideFreeWater) {
   add_sea(scene);
   scene.loads["weight"] = on_volume(LoadKind::gravity, "mound", triangle(1., 0.1));
   const auto mesh = breakwater_mesh(0.5, with_sea());
-  const auto wrong = check_scene(scene, *mesh).list();
+  const auto wrong = mistakes(scene, *mesh);
   ASSERT_EQ(wrong.size(), 2u);  // both are seas
   for (const auto& found : wrong) EXPECT_NE(found.what.find("does not feel gravity"), std::string::npos) << found.what;
 }

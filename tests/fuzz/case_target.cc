@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "case/case_schema.h"
 #include "target.h"
 #include "upbead/case/case.h"
 

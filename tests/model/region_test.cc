@@ -6,8 +6,6 @@
 
 #include <cmath>
 
-#include "model/words.h"
-
 namespace upbead {
 
 namespace region_test {
@@ -111,11 +109,10 @@ TEST(RegionCheck, RefusesContradictions) {
   EXPECT_EQ(keys_of(diagnose(region)), "youngs_modulus permeability biot damping");
 }
 
-TEST(RegionWords, BelongToKinds) {
+TEST(RegionKeys, BelongToKinds) {
   EXPECT_TRUE(belongs("kind", RegionKind::rigid));
   EXPECT_TRUE(belongs("porosity", RegionKind::porous));
   EXPECT_FALSE(belongs("porosity", RegionKind::solid));
-  EXPECT_EQ(word_of(RegionKind::solid, region_kind_words), "solid");
 }
 
 }  // namespace region_test

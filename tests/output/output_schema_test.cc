@@ -92,7 +92,7 @@ Summary full_summary() {
   s.flows.emplace_back().name = "bore";
   s.measured.push_back({"record", "force", "N/m", {}});
   s.energy.emplace();
-  s.reduction.emplace().loose = {{"probes/A/pressure", 0.1}};
+  s.reduction.emplace().inexact = {{"probes/A/pressure", 0.1}};
   s.error.emplace();
   s.history_error.emplace();
   SlidingSummary& sliding = s.sliding.emplace();

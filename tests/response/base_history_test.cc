@@ -41,7 +41,7 @@ TEST_F(BaseHistoryTest, ResolvesWhatHappensInsideSteps) {
   EXPECT_LT(error, 2e-3 * peak);
   EXPECT_GT(error_of_steps, 5. * error) << "else the history would not need its points inside the steps";
   EXPECT_NEAR(*std::max_element(dense.shear_force.value.begin(), dense.shear_force.value.end()),
-              read_shear_response(compiled.scene, coarse, true).peak_shear, 1e-3 * peak);
+              shear_of(compiled, coarse).peak_shear, 1e-3 * peak);
   EXPECT_TRUE(std::is_sorted(dense.shear_force.time.begin(), dense.shear_force.time.end()));
   EXPECT_EQ(dense.normal_force.time.size(), dense.normal_force.value.size());
 }

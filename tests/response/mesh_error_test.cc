@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/caisson/readings.h"
 #include "scenes.h"
 
 namespace upbead::test {
@@ -109,7 +108,7 @@ TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
   for (std::size_t j = 0; j < of_a.s.size(); ++j) difference.push_back(of_b.shear[j] - of_a.shear[j]);
   const double step = 0.15 / 64;
   const Eigen::RowVectorXd marched =
-      history(b, run(b, 0.15, step), reading::shear_force) - history(a, run(a, 0.15, step), reading::shear_force);
+      history(b, run(b, 0.15, step), "shear_force") - history(a, run(a, 0.15, step), "shear_force");
   const double largest = marched.cwiseAbs().maxCoeff();
   ASSERT_GT(largest, 0.);
   for (int i = 16; i <= 60; i += 4)

@@ -17,7 +17,7 @@ ShearResponse answer(const Mesh& mesh, const TimeFunction& force) {
   Scene scene = breakwater(force);
   scene.time.end = end;
   const Compiled compiled(scene, mesh);
-  return read_shear_response(compiled.scene, run(compiled, end, duration / 20.), true);
+  return shear_of(compiled, run(compiled, end, duration / 20.));
 }
 
 TEST(ShearResponse, IsToldPerImpulseOfForcesBothWays) {

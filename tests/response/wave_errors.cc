@@ -6,7 +6,6 @@
 
 #include "base/stopwatch.h"
 #include "dynamics/answer_error.h"
-#include "fem/caisson/readings.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead::test {
@@ -125,7 +124,7 @@ WaveErrors::WaveErrors(const ErrorScene& scene, double steps, double length, uns
       duration_(scene.duration),
       step_(scene.duration / steps),
       n_(static_cast<int>(std::ceil(length * end_ / step_)) + 1),
-      shear_(compiled_.scene.system.reading(reading::shear_force)),
+      shear_(compiled_.scene.system.reading("shear_force")),
       records_({0.1 * end_, length * end_, std::max(0.1, 8. / steps) * duration_, 100. * duration_}, seed) {
   const Stopwatch reducing;
   reduction_ = reduce_scene(compiled_.resolved, compiled_.scene, {true, true, {}});

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <functional>
 
-#include "case/case_run.h"
 #include "fem/compile.h"
 #include "good_case.h"
 #include "response/reduction.h"
 #include "run/accuracy/accuracy.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace adapted_mesh_test {
@@ -73,7 +73,7 @@ class AdaptedMesh : public InFolder {
   static upbead::Run solve(const std::vector<std::string>& overrides) {
     const Case input = with(overrides);
     const Simulation scene = simulation_of(input);
-    return upbead::solve(input, scene, {});
+    return upbead::solve(input, scene);
   }
 };
 
@@ -138,7 +138,7 @@ const std::vector<std::string> short_pulse = both(small, {"loads.impulse.pulse.d
 TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
   const upbead::Run run = solve(both(short_pulse, {"accuracy.tolerance=0.08"})),
                     truth = solve(both(short_pulse, far_finer));
-  const int row = simulation_of(with(both(short_pulse, far_finer))).compiled()->system.reading("shear_force");
+  const int row = simulation_of(with(both(short_pulse, far_finer))).system().reading("shear_force");
   const double error = apart(run, truth, row);
   EXPECT_LE(run.summary.history_error->total(), 0.08);
   EXPECT_LE(error, run.summary.history_error->total());
@@ -162,7 +162,7 @@ TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
       targets.most_vectors = 300;
       const Reduction reduction = reduce_scene(better, *on.compiled(), targets);
       require_shear_converged(reduction);
-      return shear_history(*on.compiled(), respond(reduction, better, on.compiled()->system));
+      return shear_history(*on.compiled(), respond(reduction, better, on.system()));
     };
     const CellsCompared early = compare_cells(own);
     ASSERT_TRUE(early.reduced.has_value());
@@ -184,7 +184,7 @@ TEST_F(AdaptedMesh, GivenRefinementsAreEstimatedWhereThatIsAskedAtLength) {
   EXPECT_FALSE(solve(given).summary.history_error.has_value());
   const upbead::Run run = solve(both(given, {"accuracy.estimate=true"})), truth = solve(both(small, far_finer));
   ASSERT_TRUE(run.summary.history_error.has_value());
-  const int row = simulation_of(with(both(small, far_finer))).compiled()->system.reading("shear_force");
+  const int row = simulation_of(with(both(small, far_finer))).system().reading("shear_force");
   const double error = apart(run, truth, row);
   EXPECT_LE(error, run.summary.history_error->total());
   EXPECT_GE(6. * error, run.summary.history_error->total());  // in the median 3: docs/accuracy.md

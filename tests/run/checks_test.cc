@@ -45,7 +45,7 @@ Summary summary() {
 }
 
 Check by_formulas(const std::string& name, double demand) {
-  Check check = at_least_as(check_of(name, "", demand, "", ""), 1.);
+  Check check = at_least_as(check_of(FailureMode::sliding, name, "", demand, "", ""), 1.);
   check.by = "formulas";
   check.wave = "storm";
   return check;
@@ -145,15 +145,17 @@ TEST(Checks, OfSeveralLevelsTheWorstIsKept) {
   Check high = by_formulas("sliding by formulas", 0.952), low = by_formulas("sliding by formulas", 0.903);
   high.level = "high";
   low.level = "low";
-  Check unjudged = at_most(check_of("heel pressure p_e", "Pa", 5e5, "", ""), {}), more = unjudged;
+  Check unjudged = at_most(check_of(FailureMode::heel_pressure, "heel pressure p_e", "Pa", 5e5, "", ""), {}),
+        more = unjudged;
   more.demand = 5.6e5;
   const Checks worst = worst_of_each({{high, unjudged}, {low, more}});
   ASSERT_EQ(worst.size(), 2U);
   EXPECT_EQ(worst[0].level, "low");
   EXPECT_EQ(*worst[1].demand, 5.6e5);
-  Check none = at_most(check_of("heel pressure p_e", "Pa", {}, "", ""), 6e5);
+  Check none = at_most(check_of(FailureMode::heel_pressure, "heel pressure p_e", "Pa", {}, "", ""), 6e5);
   EXPECT_EQ(none.holds, false) << "beyond all numbers";
-  EXPECT_TRUE(is_worse(none, at_most(check_of("heel pressure p_e", "Pa", 7e5, "", ""), 6e5)));
+  EXPECT_TRUE(
+      is_worse(none, at_most(check_of(FailureMode::heel_pressure, "heel pressure p_e", "Pa", 7e5, "", ""), 6e5)));
 }
 
 }  // namespace checks_test

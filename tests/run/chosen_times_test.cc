@@ -9,13 +9,12 @@
 #include <functional>
 #include <stdexcept>
 
-#include "case/case_run.h"
-#include "fem/compile.h"
 #include "findings/histories.h"
 #include "good_case.h"
 #include "response/time_choice.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace chosen_times_test {
@@ -36,7 +35,7 @@ class ChosenTimes : public InFolder {
 
 /// Largest difference of F_T over its largest value.
 double shear_difference(const upbead::Run& run, const Series& a, const Series& b) {
-  const auto row = run.simulation->compiled()->system.reading("shear_force");
+  const auto row = run.simulation->system().reading("shear_force");
   return (a.reading.row(row) - b.reading.row(row)).cwiseAbs().maxCoeff() / b.reading.row(row).cwiseAbs().maxCoeff();
 }
 
@@ -112,7 +111,7 @@ void expect_rows_meet_the_tolerance(const std::function<upbead::Run(const std::v
   if (by_itself) {
     std::vector<double> times;
     for (double t = 0.; t < end; t += step / 91.) times.push_back(t);
-    const auto row = run.simulation->compiled()->system.reading("shear_force");
+    const auto row = run.simulation->system().reading("shear_force");
     const Eigen::RowVectorXd F_T = trajectory_of(run).at(times).reading.row(row);
     EXPECT_LT(off_lines(run, times, {F_T.begin(), F_T.end()}), 1e-3) << told;
   } else {
@@ -156,7 +155,7 @@ TEST_F(ChosenTimes, GrowthOfStepsIsTheCases) {
     for (std::size_t i = 2; i < t.size(); ++i) largest = std::max(largest, (t[i] - t[i - 1]) / (t[i - 1] - t[i - 2]));
     EXPECT_NEAR(largest, std::stod(growth), 1e-6);
     steps.push_back(run.response.n_steps);
-    const auto row = run.simulation->compiled()->system.reading("caisson/rotation");
+    const auto row = run.simulation->system().reading("caisson/rotation");
     settled.push_back(run.response.ends.reading.row(row).tail<1>()[0]);
   }
   EXPECT_GT(steps[0], steps[1]);

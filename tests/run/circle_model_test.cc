@@ -9,7 +9,6 @@
 
 #include "dynamics/readings_at.h"
 #include "fem/compile.h"
-#include "findings/find.h"
 #include "findings/ground_section.h"
 #include "response/reduction.h"
 #include "rupture/fixed_circle.h"
@@ -53,7 +52,7 @@ double by_readings(const SlipCircleFound& c, bool computed) {
   const BaseLoad load{c.force, c.shear, c.moment};
   if (!computed) return *factor_of(family, 0, load, nullptr);
   const ModalModel model = circle_readings(family, simulation, *made().reduction.pressures);
-  const SampledLoads loads = sampled_loads(simulation.scene(), simulation.compiled()->system);
+  const SampledLoads loads = sampled_loads(simulation.scene(), simulation.system());
   const auto at = std::min_element(loads.time.begin(), loads.time.end(),
                                    [&](double a, double b) { return std::abs(a - *c.time) < std::abs(b - *c.time); });
   const Eigen::MatrixXd readings = respond_at(model, loads, {static_cast<std::size_t>(at - loads.time.begin())});

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <string>
 
-#include "case/case_run.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace construction_run_test {
@@ -50,7 +50,7 @@ class ConstructionRun : public InFolder {
     unsetenv("UPBEAD_MESHES");
     write("case.toml", text);
     const Case input = read_case("case.toml");
-    return solve(input, simulation_of(input), {}).summary;
+    return solve(input, simulation_of(input)).summary;
   }
 };
 

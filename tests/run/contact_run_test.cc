@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_run.h"
-#include "fem/caisson/readings.h"
-#include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace contact_run_test {
@@ -31,14 +29,13 @@ class ContactRun : public InFolder {
   struct Solved {
     upbead::Run run;
     double last(const std::string& reading) const {
-      return run.response.ends.reading(run.simulation->compiled()->system.reading(reading),
-                                       run.response.ends.reading.cols() - 1);
+      return run.response.ends.reading(run.simulation->system().reading(reading), run.response.ends.reading.cols() - 1);
     }
   };
   static Solved solve(const std::vector<std::string>& overrides) {
     static const PetscSession petsc;
     const Case problem = read_case("case.toml", overrides);
-    return {upbead::solve(problem, simulation_of(problem), {})};
+    return {upbead::solve(problem, simulation_of(problem))};
   }
   static std::string refusal(const std::vector<std::string>& overrides) {
     try {
@@ -71,8 +68,8 @@ TEST_F(ContactRun, IsTheTiedRunWhereNothingMoves) {
   for (const Solved* other : {&shortly, &fully}) {
     const auto& response = other->run.summary.response;
     EXPECT_NEAR(response->peak_displacement, peak->peak_displacement, 1e-11 * peak->peak_displacement);
-    EXPECT_NEAR(other->last(reading::shear_force), tied.last(reading::shear_force), 1e-9 * peak->peak_shear);
-    EXPECT_EQ(other->run.simulation->compiled()->system.readings.size(),
+    EXPECT_NEAR(other->last("shear_force"), tied.last("shear_force"), 1e-9 * peak->peak_shear);
+    EXPECT_EQ(other->run.simulation->system().readings.size(),
               static_cast<std::size_t>(other->run.response.ends.reading.rows()));
   }
   EXPECT_NEAR(shortly.run.summary.response->peak_shear, peak->peak_shear, 1e-11 * peak->peak_shear);

@@ -8,11 +8,10 @@
 #include <functional>
 #include <vector>
 
-#include "case/case_run.h"
 #include "case/scale.h"
-#include "fem/compile.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace densification_run_test {
@@ -101,10 +100,10 @@ class DensificationRun : public InFolder {
   static Answer run(const std::string& text) {
     write("case.toml", text);
     const Case input = read_case("case.toml");
-    return solve(input, simulation_of(input), {});
+    return solve(input, simulation_of(input));
   }
   static std::vector<double> history(const Answer& run, const std::string& reading) {
-    const auto row = run.response.ends.reading.row(run.simulation->compiled()->system.reading(reading)).eval();
+    const auto row = run.response.ends.reading.row(run.simulation->system().reading(reading)).eval();
     return {row.begin(), row.end()};
   }
 };
@@ -246,7 +245,7 @@ TEST_F(DensificationRun, LengthsTimesTwentyByFroudeKeepTheStrains) {
   for (const NamedText& file : scaled.histories) write("big/" + file.path, file.text);
   write("big/case.toml", scaled.text);
   const Case big_input = read_case("big/case.toml");
-  const Answer big = solve(big_input, simulation_of(big_input), {});
+  const Answer big = solve(big_input, simulation_of(big_input));
   const CompactedSoil &a = small.summary.densification.at(0), &b = big.summary.densification.at(0);
   EXPECT_NEAR(b.mean, a.mean, 1e-6 * a.mean);
   EXPECT_NEAR(*b.pressure_at_end, 20. * *a.pressure_at_end, 1e-6 * 20. * *a.pressure_at_end);

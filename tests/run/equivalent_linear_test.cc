@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "case/case_run.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace equivalent_linear_test {
@@ -88,7 +88,7 @@ class EquivalentLinear : public InFolder {
     write("case.toml", layer_case(peak, strain, time));
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);
-    return *solve(input, scene, {}).summary.soil;
+    return *solve(input, scene).summary.soil;
   }
 };
 

@@ -8,8 +8,8 @@
 #include <complex>
 #include <set>
 
-#include "findings/find.h"
 #include "scenes.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead::test {
 namespace liquefaction_test {

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_run.h"
-#include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace reduced_states_test {
@@ -96,7 +95,7 @@ TEST_P(ReducedStates, AndStrengthsAreThoseOfAMarch) {
   ASSERT_EQ(marched.seen.states.size(), 25u);
   EXPECT_EQ(reduced.seen.seen, 25) << "states between fields are not made";
 
-  const System& system = marched.run.simulation->compiled()->system;
+  const System& system = marched.run.simulation->system();
   double largest = 0., apart = 0., pressure = 0., of_pressure = 0.;
   for (std::size_t i = 0; i < 25; ++i) {
     const State &a = marched.seen.states[i], &b = reduced.seen.states[i];

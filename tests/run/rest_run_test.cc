@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "case/case_run.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace rest_run_test {
@@ -70,7 +70,7 @@ class RestRun : public InFolder {
     write("case.toml", text);
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);
-    return solve(input, scene, {}).summary;
+    return solve(input, scene).summary;
   }
 };
 
@@ -181,7 +181,7 @@ TEST_F(RestRun, AllOtherChecksOfASectionOnFailingGroundAreVoid) {
   unsetenv("UPBEAD_MESHES");
   write("case.toml", text);
   const Case input = read_case("case.toml");
-  const Summary found = solve(input, simulation_of(input), {}).summary;
+  const Summary found = solve(input, simulation_of(input)).summary;
   EXPECT_NE(found.why_void, "");
   EXPECT_EQ(found.checks.front().holds, false);
   ASSERT_GT(found.checks.size(), 3u);

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "base/cores.h"
-#include "case/case_run.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace slip_ahead_test {
@@ -39,7 +39,7 @@ class SlipAheadRun : public InFolder {
   static upbead::Run solve(const std::vector<std::string>& overrides) {
     static const PetscSession petsc;
     const Case problem = read_case("case.toml", overrides);
-    return upbead::solve(problem, simulation_of(problem), {});
+    return upbead::solve(problem, simulation_of(problem));
   }
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "case/case_run.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace yielding_run_test {
@@ -113,7 +113,7 @@ class YieldingRun : public InFolder {
     write("case.toml", text);
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);
-    return solve(input, scene, {}).summary;
+    return solve(input, scene).summary;
   }
 };
 

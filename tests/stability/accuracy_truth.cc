@@ -6,7 +6,6 @@
 #include <set>
 
 #include "base/stopwatch.h"
-#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "mesh/refine.h"
 #include "upbead/base/error.h"
@@ -116,12 +115,12 @@ AccuracyVerdict judge_accuracy(const std::string& path) {
     const Stopwatch watch;
     const Case input = read_case(path);
     const Simulation scene = simulation_of(input);
-    const Run run = solve(input, scene, {});
+    const Run run = solve(input, scene);
     verdict.seconds = watch.seconds();
     verdict.unknowns = scene.unknowns()->n_free();
     verdict.scheme = run.summary.discretisation.scheme;
     const Stopwatch truth_watch;
-    const int row = scene.compiled()->system.reading(reading::shear_force);
+    const int row = scene.system().reading("shear_force");
     Truth truth = solve(input, run, finer_mesh(*scene.mesh(), 1));
     Run before = std::move(truth.run);
     if (16 * verdict.unknowns <= most_unknowns) {

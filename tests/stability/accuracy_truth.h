@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/case_run.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 

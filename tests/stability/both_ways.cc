@@ -24,7 +24,7 @@ Answer answer(const std::string& path, const std::string& scheme, double finer) 
   const Simulation scene = simulation_of(input);
   Answer answer;
   try {
-    const Run run = solve(input, scene, {});
+    const Run run = solve(input, scene);
     to_json(run.summary);  // throws where a number is not finite
     answer.ladder = run.summary.ladder;
     if (const auto& r = run.summary.response) answer.peak = std::max(r->peak_shear, -r->peak_shear_seaward);

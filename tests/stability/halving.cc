@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dynamics/contact.h"
-#include "fem/caisson/readings.h"
 
 namespace upbead::test {
 
@@ -36,10 +35,8 @@ std::string choose_reading(const System& system, const Series& ends) {
     return ends.reading.row(system.reading(name)).cwiseAbs().maxCoeff();
   };
   const bool caisson = std::any_of(system.readings.begin(), system.readings.end(),
-                                   [](const Reading& r) { return r.name.text() == reading::shear_force; });
-  if (caisson)
-    return largest(reading::shear_force) > 1e-6 * largest(reading::normal_force) ? reading::shear_force
-                                                                                 : reading::normal_force;
+                                   [](const Reading& r) { return r.name.text() == "shear_force"; });
+  if (caisson) return largest("shear_force") > 1e-6 * largest("normal_force") ? "shear_force" : "normal_force";
   std::string best;
   for (const Reading& r : system.readings)
     if (const std::string name = r.name.text();

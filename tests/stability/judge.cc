@@ -5,10 +5,10 @@
 
 #include "algebra/factorisation.h"
 #include "case/case_findings.h"
-#include "case/case_run.h"
 #include "equilibrated.h"
 #include "fem/compile.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 
@@ -136,8 +136,8 @@ bool is_finite(const Run& run) {
 }
 
 void measure(const Case& input, const Simulation& simulation, Measures& m) {
-  const Run run = solve(input, simulation, {});
-  const System& system = run.simulation->compiled()->system;
+  const Run run = solve(input, simulation);
+  const System& system = run.simulation->system();
   const double end = input.scene.time.end, h = run.summary.discretisation.time_step;
   m.scheme = run.summary.discretisation.scheme;
   m.unknowns = system.n_free();

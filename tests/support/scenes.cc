@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "fem/scene_check.h"
+#include "response/shear_response.h"
+
 namespace upbead::test {
 
 namespace {
@@ -111,6 +114,14 @@ Response run(const Compiled& compiled, double end, double step, SchemeKind kind)
   options.kind = kind;
   const auto scheme = make_scheme(compiled.scene.system, options);
   return march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), end, step));
+}
+
+ShearResponse shear_of(const Compiled& compiled, const Response& response) {
+  return read_shear_response(compiled.scene, response, compiled.resolved.time.inertia);
+}
+
+std::vector<Diagnostic> mistakes(const Scene& scene, const Mesh& mesh) {
+  return check_scene(scene, mesh).list();
 }
 
 Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading) {

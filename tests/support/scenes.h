@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "fem/compile.h"
+#include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
+#include "upbead/response/findings.h"
 
 namespace upbead::test {
 
@@ -47,6 +49,12 @@ struct Compiled {
 
 /// Marches from rest with steps of at most `step`.
 Response run(const Compiled& compiled, double end, double step, SchemeKind scheme = SchemeKind::sdirk4);
+
+/// F_T of such a march, and what else a coastal engineer reads off it; of a scene with a caisson.
+ShearResponse shear_of(const Compiled& compiled, const Response& response);
+
+/// The mistakes for which a scene is refused on a mesh.
+std::vector<Diagnostic> mistakes(const Scene& scene, const Mesh& mesh);
 
 /// The history of one reading at the ends of the steps.
 Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading);

@@ -70,7 +70,7 @@ TEST(BreakingImpact, IsToldWithItsSourceItsAssumptionsAndTheMap) {
     a.relative_mound = mound;
     a.relative_height = height;
     a.relative_berm = berm;
-    return describe({}, a);
+    return text_of({}, a);
   };
   const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(

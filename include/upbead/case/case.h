@@ -23,6 +23,7 @@ struct Case {
   std::shared_ptr<const CaseTables> tables;  ///< as written
   std::map<std::string, std::shared_ptr<const LoadSource>> sources;  ///< of [loads.NAME], by NAME
   std::shared_ptr<const LoadSource> uplift;                          ///< of a prescribed uplift by a file; else null
+  std::string why_end;  ///< where the file gives no end, and its mesh has settled it: why it is that long
 
   /// Where a dotted key such as "regions.sand.porosity" was written. For a key that was not written: the place of the
   /// nearest table that would hold it.

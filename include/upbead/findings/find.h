@@ -15,6 +15,9 @@ struct Finding;
 Summary find(const Solution& solution, const std::function<void(double)>& progress = {},
              const std::vector<Finding>& also = {});
 
+/// The solution with all its findings, and the rows of its history that they were read from.
+Run run_of(Solution solution, const std::function<void(double)>& progress = {}, const std::vector<Finding>& also = {});
+
 /// The warnings of a scene that are known without solving it: docs/warnings.md.
 NumberedWarnings warnings(const Simulation& simulation, const std::vector<Finding>& also = {});
 

@@ -9,6 +9,24 @@
 
 namespace upbead {
 
+/// The way to fail that a check is about, in the order of the sheet.
+enum class FailureMode {
+  strength,
+  slip_circles,
+  momentary_liquefaction,
+  residual_pressure,
+  sliding,
+  sliding_seaward,
+  sliding_distance,
+  overturning,
+  overturning_seaward,
+  heel_pressure,
+  toe_pressure,
+  settlement,
+  tilt,
+  other  ///< one of its own, called as the check
+};
+
 /// What a factor of safety compares.
 struct Balance {
   double acting = 0., resisting = 0.;
@@ -17,7 +35,9 @@ struct Balance {
 
 /// One check of a section: demand against capacity.
 struct Check {
-  std::string name;                ///< "sliding distance", "heel pressure p_e"
+  FailureMode mode = FailureMode::other;
+  std::string name;                ///< "sliding distance", "heel pressure p_e"; says nothing to the program
+  std::string limit;               ///< the key of [limits] that it is held to, given or not; "": to none of them
   std::string unit;                ///< of demand and capacity
   std::optional<double> demand;    ///< none: beyond what can be computed, or not checked
   std::optional<double> capacity;  ///< none: not given

@@ -163,7 +163,7 @@ struct ReductionSummary {
   /// Estimated, of the history of F_T over its peak, where one model answers all soils; none where this soil was reduced.
   std::optional<double> error_of_soils;
   double highest_frequency = 0.;          ///< up to which the transfer function of F_T has been checked
-  std::vector<LooseReading> loose;        ///< readings other than F_T that do not meet their tolerance
+  std::vector<InexactReading> inexact;    ///< readings other than F_T that do not meet their tolerance
   double tolerance_of_others = 0.;        ///< of these readings
 };
 
@@ -441,7 +441,7 @@ struct FlowSummary {
   std::vector<std::string> told;
 };
 
-std::string describe(const std::vector<FlowSummary>& flows);
+std::string text_of(const std::vector<FlowSummary>& flows);
 
 /// What transducers along a wall or a bottom measured.
 struct GaugeSummary {

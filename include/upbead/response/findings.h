@@ -79,7 +79,7 @@ struct MobilisedStrength {
 };
 
 /// A reading that does not meet its tolerance, and the difference of the nested models in it, over its peak.
-struct LooseReading {
+struct InexactReading {
   std::string name;
   double error = 0.;
 };

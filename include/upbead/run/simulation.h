@@ -13,6 +13,7 @@
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/output/summary.h"
+#include "upbead/system/system.h"
 
 namespace upbead {
 
@@ -40,7 +41,7 @@ struct MeshAccuracy {
 };
 
 class SlipAhead;
-class Watched;
+class Monitors;
 struct Run;
 class Simulation;
 struct Solution;
@@ -114,6 +115,8 @@ class Simulation {
   const std::shared_ptr<const Space>& space() const { return parts_.space; }
   const std::shared_ptr<const Unknowns>& unknowns() const { return parts_.unknowns; }
   const std::shared_ptr<const CompiledScene>& compiled() const { return parts_.compiled; }
+  /// Its equations, with what is read off their answer: row system().reading("shear_force") of the readings is F_T.
+  const System& system() const;
   const std::shared_ptr<const SoilMember>& member() const { return parts_.member; }
   const std::shared_ptr<BasisRoom>& room() const { return parts_.room; }
   const std::optional<SoilSummary>& soil() const { return parts_.soil; }
@@ -162,9 +165,9 @@ struct Solution {
   std::optional<StateModel> states;  ///< where fields or a strength are asked for
   std::optional<YieldingSolution> yielding;
   std::optional<ContactSolution> contact;
-  std::shared_ptr<const Watched> watched;  ///< what was looked at in each state
-  std::shared_ptr<SlipAhead> ahead;        ///< the space of a caisson that slips as a whole, where it was begun
-  std::optional<SafetySummary> safety;     ///< where it is asked for, and where no rest was found
+  std::shared_ptr<const Monitors> monitors;  ///< what was looked at in each state
+  std::shared_ptr<SlipAhead> ahead;          ///< the space of a caisson that slips as a whole, where it was begun
+  std::optional<SafetySummary> safety;       ///< where it is asked for, and where no rest was found
   std::optional<ConstructionSummary> construction;  ///< where the section is built in stages
 };
 
@@ -180,9 +183,16 @@ bool needs_sliding(const Scene& scene);
 /// scene.
 Solution with_sliding(Solution solution, const Scene& given);
 
+/// All readings in rows between which straight lines follow the response within the scene's tolerance.
+struct HistoryRows {
+  Series series;
+  double error = 0.;  ///< of the straight lines, over the largest value of each reading; negative: ends of steps
+};
+
 /// A solution, and what is said of it.
 struct Run : Solution {
   Summary summary;
+  HistoryRows history;  ///< the rows of /history of results.h5
 };
 
 /// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that causes it.

@@ -54,6 +54,6 @@ BreakingImpact breaking_impact(const ImpactScatter& scatter, const Section& sect
                                const DesignWave& wave, double wavelength);
 
 /// Where the force comes from, in words.
-std::string describe(const ImpactScatter& scatter, const BreakingImpact& impact);
+std::string text_of(const ImpactScatter& scatter, const BreakingImpact& impact);
 
 }  // namespace upbead

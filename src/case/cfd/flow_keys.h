@@ -99,6 +99,6 @@ struct FlowContext {
 FlowLoad understand(const FlowRecord& record, const FlowKeys& source, const FlowContext& context);
 
 /// For people: what was understood, "6.3 kN over a thickness of 0.01 m along y: 630 kN/m".
-std::string describe(const std::string& name, const FlowLoad& load);
+std::string text_of(const std::string& name, const FlowLoad& load);
 
 }  // namespace upbead

@@ -376,7 +376,7 @@ FlowLoad understand(const FlowRecord& record, const FlowKeys& source, const Flow
   return load;
 }
 
-std::string describe(const std::string& name, const FlowLoad& load) {
+std::string text_of(const std::string& name, const FlowLoad& load) {
   std::string text = "flow        " + name + ": " + load.layout + "; largest " + with_unit(load.peak_force, "N/m") +
                      " over still water at " + significant(load.peak_time, 4) + " s";
   if (load.peak_arm) text += ", arm " + significant(*load.peak_arm, 4) + " m";

@@ -252,7 +252,7 @@ std::vector<FlowColumn> columns_of(const FlowRecord& record) {
   return columns;
 }
 
-std::string describe(const FlowRecord& record) {
+std::string text_of(const FlowRecord& record) {
   const std::vector<double>& time = record.time();
   std::string text = "layout      " + record.layout + "\nread        " + std::to_string(record.files.size()) +
                      (record.files.size() == 1 ? " file" : " files") + ", " + std::to_string(time.size()) +

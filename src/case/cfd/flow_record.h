@@ -67,6 +67,6 @@ struct FlowColumn {
 std::vector<FlowColumn> columns_of(const FlowRecord& record);
 
 /// Text for people: layout, times, quantities and their places.
-std::string describe(const FlowRecord& record);
+std::string text_of(const FlowRecord& record);
 
 }  // namespace upbead

@@ -172,7 +172,7 @@ std::vector<FlowSummary> flow_summaries(const Case& input) {
   return list;
 }
 
-std::string describe(const std::vector<FlowSummary>& flows) {
+std::string text_of(const std::vector<FlowSummary>& flows) {
   std::string text;
   for (const FlowSummary& s : flows) {
     text += "flow        " + s.name + ": " + s.layout + "; " + std::to_string(s.samples) + " samples from " +

@@ -131,7 +131,7 @@ std::vector<Dataset> measured_tables(const std::vector<MeasuredRecord>& records)
   return tables;
 }
 
-std::string describe(const std::vector<MeasuredSummary>& measured) {
+std::string text_of(const std::vector<MeasuredSummary>& measured) {
   std::string text;
   for (const MeasuredSummary& m : measured) {
     const Comparison& c = m.comparison;

@@ -37,6 +37,6 @@ std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vect
 /// measured/NAME/time and measured/NAME/value.
 std::vector<Dataset> measured_tables(const std::vector<MeasuredRecord>& records);
 
-std::string describe(const std::vector<MeasuredSummary>& measured);
+std::string text_of(const std::vector<MeasuredSummary>& measured);
 
 }  // namespace upbead

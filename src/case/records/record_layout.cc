@@ -77,7 +77,7 @@ std::string note_lines(const RecordNotes& notes) {
   return text;
 }
 
-std::string describe(const std::vector<RecordSummary>& records) {
+std::string text_of(const std::vector<RecordSummary>& records) {
   std::string text, layout;
   for (const RecordSummary& r : records) {
     if (r.file + r.layout != layout) text += "file        " + r.file + ": " + r.layout + "\n";

@@ -22,7 +22,7 @@ struct RecordSummary {
 };
 
 /// A line for each, and for each file how it was read.
-std::string describe(const std::vector<RecordSummary>& records);
+std::string text_of(const std::vector<RecordSummary>& records);
 
 /// How a file was read.
 struct RecordNotes {

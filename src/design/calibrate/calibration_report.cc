@@ -51,7 +51,7 @@ std::string row(const CalibrationFit& found) {
          given + remark(found) + "\n";
 }
 
-std::string describe(const CalibratedModel& model, const DurationFactor& given) {
+std::string text_of(const CalibratedModel& model, const DurationFactor& given) {
   double least = HUGE_VAL, largest = 0.;
   for (const CalibratedWave& wave : model.waves) {
     least = std::min(least, wave.peak_shear / wave.impact.peak);
@@ -69,7 +69,7 @@ std::string describe(const CalibratedModel& model, const DurationFactor& given) 
                 take->fit->best.a, take->fit->best.b, name_of(take->ratio).c_str(), take->fit->residual_deviation);
 }
 
-std::string describe_waves(const Calibration& found) {
+std::string waves_text(const Calibration& found) {
   std::string text =
       format("waves       %d of a grid of %d", static_cast<int>(found.n_waves), static_cast<int>(found.n_grid));
   for (const auto& [why, n] : found.left)
@@ -156,10 +156,10 @@ std::string cell(const Column& column, const Value& value) {
 
 }  // namespace
 
-std::string describe(const Design& design, const Calibration& found) {
+std::string text_of(const Design& design, const Calibration& found) {
   std::string text = design.tables.title.empty() ? "" : design.tables.title + "\n";
-  text += describe_waves(found);
-  for (const CalibratedModel& model : found.models) text += describe(model, found.given);
+  text += waves_text(found);
+  for (const CalibratedModel& model : found.models) text += text_of(model, found.given);
   return text + format("time        %.2f s\n", found.seconds);
 }
 

@@ -82,7 +82,7 @@ std::vector<OutputRow> rows_of_calibration();
 std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.
 std::string calibration_file(const Design& design, const Calibration& found);
-std::string describe(const Design& design, const Calibration& found);
+std::string text_of(const Design& design, const Calibration& found);
 /// Numbers whose unit was probably mistaken, and fits that are doubtful.
 NumberedWarnings warnings_of(const Design& design, const Calibration& found);
 

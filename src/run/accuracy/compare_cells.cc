@@ -66,11 +66,11 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
   targets.only_shear = true;
   // both systems have the same loads
   const auto response = [&](const GrowingModel& model) {
-    return respond(model.reduction(), scene, simulation.compiled()->system);
+    return respond(model.reduction(), scene, simulation.system());
   };
   const auto read = [&](const GrowingModel& model) { return bonded_answers(simulation, response(model)); };
   try {
-    GrowingModel own(simulation.compiled()->system, reduce_options(scene, *simulation.compiled(), targets),
+    GrowingModel own(simulation.system(), reduce_options(scene, *simulation.compiled(), targets),
                      simulation.room().get());
     CellsCompared::Reduced compared;
     {

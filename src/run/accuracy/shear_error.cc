@@ -125,7 +125,7 @@ class Adaptation {
     const Simulation simulation = with_room(on_mesh(given_, mesh_));  // for the comparison, then for the solution
     require_measurable(simulation);
     cells_ = mesh_error(simulation.scene(), *simulation.space(), *simulation.unknowns(), *simulation.compiled());
-    const int n = simulation.compiled()->system.n_free();
+    const int n = simulation.system().n_free();
     if (n > most_unknowns) throw_out_of_reach(given_, accuracy_, n);
     measured_ = scale_ * cells_.sum <= aim_;
     if (!measured_ || !measure(simulation, n)) return simulation;
@@ -176,7 +176,7 @@ class Adaptation {
 Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
   const Stopwatch watch;
   Adaptation adaptation(given, coarse);
-  const auto progress = watched("refining the mesh");
+  const auto progress = shown_progress("refining the mesh");
   for (;;) {
     progress(adaptation.done());
     const Simulation simulation = adaptation.assemble();

@@ -87,7 +87,7 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface)
   throw NumericsError(rest.ladder.back().refused);
 }
 
-/// Rows of shear and normal force alternate, node by node, as glued() appends them; they are without the uplift.
+/// Rows of shear and normal force alternate, node by node, as bonded() appends them; they are without the uplift.
 void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
           BondedDemand& demand) {
   const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
@@ -106,7 +106,7 @@ void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, con
   }
 }
 
-/// The demand on contact in a response of glued(system, true), `system` with the interface; the forces may be wrong
+/// The demand on contact in a response of bonded(system, true), `system` with the interface; the forces may be wrong
 /// by `margin` of their largest value over all nodes.
 BondedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
                             double margin) {
@@ -243,21 +243,19 @@ Solution march_yielding_contact(const Simulation& simulation, const MarchOptions
   std::optional<ContactRecorder> recorder;
   YieldingRunOptions options;
   options.follower.soil = follow;
-  options.follower.begin = [&](const Scheme& scheme) {
-    return &recorder.emplace(simulation.compiled()->system, scheme);
-  };
+  options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.system(), scheme); };
   options.follower.end = [&] { return followed_by(*recorder); };
   return run_yielding(simulation, marching, progress, options);
 }
 
-Solution march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care) {
-  const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.compiled()->system, true, care.refined);
-  ContactRecorder recorder(simulation.compiled()->system, *scheme);
+Solution march_contact(const Simulation& simulation, const MarchOptions& marching, const Way& way) {
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.system(), true, way.refined);
+  ContactRecorder recorder(simulation.system(), *scheme);
   MarchOptions options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
   const std::string reason = "bonded, the caisson would slip or lift at some node";
   try {
-    Solution solution = march_by(*scheme, simulation, reason, options, care.part);
+    Solution solution = march_by(*scheme, simulation, reason, options, way.part);
     solution.contact = followed_by(recorder);
     return solution;
   } catch (const NumericsError& error) {
@@ -294,7 +292,7 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
   const Ladder at_rest = set_at_rest(simulation, *system.interface);
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
-  tied->system = glued(system, true);
+  tied->system = bonded(system, true);
   const Simulation bonded = with_system(simulation, tied);
   ObserverFunction reported = progress_observer(progress);
   MarchOptions silent;
@@ -320,11 +318,9 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
   const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
   MarchOptions unkept = marching;
   unkept.checkpoints = {};
-  const auto solve = [&](const MarchOptions& options, const Care& care) {
-    return march_contact(*moving, options, care);
-  };
+  const auto solve = [&](const Way& way, const MarchOptions& options) { return march_contact(*moving, options, way); };
   Solution solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow)
-                                : climb(*moving, ways_with_care(simulation.scene(), "contact", solve), unkept);
+                                : climb(*moving, ways_to_march(simulation.scene(), "contact"), unkept, solve);
   solved.simulation = moving;
   solved.ladder = joined(before.ladder, solved.ladder);
   solved.periods = before.periods;

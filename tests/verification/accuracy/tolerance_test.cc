@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "case/case_run.h"
 #include "record.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace tolerance_test {
@@ -49,7 +49,7 @@ Summary solve(const ScenePair& pair, double tolerance, Overrides more = {}) {
   overrides.insert(overrides.end(), more.begin(), more.end());
   const Case input = read_case(std::string(UPBEAD_CASE_DIR) + "/" + pair.file, overrides);
   const Simulation scene = simulation_of(input);
-  return solve(input, scene, {}).summary;
+  return solve(input, scene).summary;
 }
 
 constexpr double tolerance = 0.005, far_finer = 0.001;

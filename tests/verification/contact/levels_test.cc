@@ -20,8 +20,8 @@ double coupled_slip(const Scene& input, const Mesh& mesh, double end) {
   scene.time.end = end;
   const Compiled loose(scene, mesh, true), tied(scene, mesh);
   const double step = scene.loads["impulse"].history.kinks().back() / 128.;
-  const Response glued = run(tied, end, 4. * step);
-  const SlipReduction reduction = reduce_slip(loose.resolved, loose.scene, UpliftKind::computed, glued.ends);
+  const Response bonded = run(tied, end, 4. * step);
+  const SlipReduction reduction = reduce_slip(loose.resolved, loose.scene, UpliftKind::computed, bonded.ends);
   const int n = static_cast<int>(end / step) + 1;
   WaveSamples loads(2, n);
   for (int i = 0; i < n; ++i) loads.col(i) << scene.loads["impulse"].history(i * step), submerged_weight();

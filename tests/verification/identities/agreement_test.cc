@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {
@@ -46,7 +45,7 @@ TEST(Peaks, AreFoundInsideTheSteps) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1.6e6, 0.15)), *mesh);
   const auto peak = [&](double step, SchemeKind scheme) {
-    return read_shear_response(compiled.scene, run(compiled, 0.3, step, scheme), true).peak_shear;
+    return shear_of(compiled, run(compiled, 0.3, step, scheme)).peak_shear;
   };
   const double fine = peak(0.15 / 256, SchemeKind::sdirk4);
   EXPECT_NEAR(peak(0.15 / 8, SchemeKind::sdirk4) / fine, 1., 1e-4);

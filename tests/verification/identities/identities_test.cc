@@ -26,7 +26,7 @@ TEST_P(Identities, BothRoutesToShearForceAndTheEnergyBalance) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
   const Response response = run(compiled, 0.5, 0.0125, scheme);
-  const ShearResponse shear = read_shear_response(compiled.scene, response, true);
+  const ShearResponse shear = shear_of(compiled, response);
   EXPECT_LE(shear.reaction_mismatch, 1e-8);
   EXPECT_LE(response.energy.back().mismatch(), 1e-8);
   EXPECT_GT(shear.peak_shear, 0.1e6);
@@ -44,7 +44,7 @@ TEST(SeawardForce, HasTheSameRatio) {
     Scene scene = breakwater(triangle(1.6e6, 0.15));
     scene.loads["impulse"].direction = {direction, 0.};
     const Compiled compiled(scene, *mesh);
-    return read_shear_response(compiled.scene, run(compiled, 0.4, 0.0125), true);
+    return shear_of(compiled, run(compiled, 0.4, 0.0125));
   };
   const ShearResponse landward = respond(1.), seaward = respond(-1.);
   EXPECT_NEAR(*landward.shear_to_force_ratio, *seaward.shear_to_force_ratio, 1e-10);
@@ -59,7 +59,7 @@ TEST(NoHorizontalForce, HasNoRatioAndABalancedReaction) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
   const Response response = run(compiled, 0.3, 0.0125);
-  const ShearResponse shear = read_shear_response(compiled.scene, response, true);
+  const ShearResponse shear = shear_of(compiled, response);
   EXPECT_FALSE(shear.shear_to_force_ratio.has_value());
   EXPECT_NO_THROW(require_balance(shear, response.energy.back()));
 }
@@ -90,7 +90,7 @@ TEST(SlowForce, PassesThroughTheCaisson) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1.6e6, 6.)), *mesh);
   const Response response = run(compiled, 8., 0.02);
-  EXPECT_NEAR(*read_shear_response(compiled.scene, response, true).shear_to_force_ratio, 1., 0.03);
+  EXPECT_NEAR(*shear_of(compiled, response).shear_to_force_ratio, 1., 0.03);
 }
 
 }  // namespace identities_test

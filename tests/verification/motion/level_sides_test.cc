@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "fem/scene_check.h"
 #include "layer.h"
 #include "tensor_mesh.h"
 
@@ -98,7 +97,7 @@ TEST(LevelSides, OrAreRefused) {
     Scene scene = ground(false, at.sides);
     shake(scene, at.direction);
     for (auto& [name, probe] : scene.probes) probe.at[0] *= width;
-    const auto wrong = check_scene(scene, *layers(width, 6, at.unlike)).list();
+    const auto wrong = mistakes(scene, *layers(width, 6, at.unlike));
     EXPECT_EQ(wrong.empty(), at.right) << at.direction[0];
     for (const auto& mistake : wrong) {
       EXPECT_NE(mistake.place.key.find(".displacement"), std::string::npos) << mistake.place.key;
@@ -112,7 +111,7 @@ TEST(LevelSides, OrAreRefused) {
     moved.loads[side] = moved.loads["quake"];
     moved.loads[side].boundary = side;
   }
-  EXPECT_TRUE(check_scene(moved, *layers(width, 6)).list().empty());
+  EXPECT_TRUE(mistakes(moved, *layers(width, 6)).empty());
 }
 
 }  // namespace level_sides_test

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fem/compile.h"
 #include "record.h"
 #include "reference.h"
 #include "upbead/case/case.h"
@@ -62,7 +61,7 @@ TEST(MandelByACaseFile, Consolidates) {
   const Simulation simulation(problem.scene, mesh);
   const auto run = simulation.run({});
   const Json entry = reference("ref1_consolidation").at("mandel").at(0);
-  const System& system = simulation.compiled()->system;
+  const System& system = simulation.system();
   std::vector<double> t;
   for (const double time : entry.at("t").get<std::vector<double>>())
     if (time >= 2. && time <= 100.) t.push_back(time);  // the first steps after the jump are not compared

@@ -8,11 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "case/case_run.h"
 #include "discrete_kernel.h"
-#include "fem/caisson/readings.h"
-#include "fem/compile.h"
 #include "record.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 namespace kernel_cases_test {
@@ -27,7 +25,7 @@ std::vector<std::string> shipped_cases() {
 
 /// F_T, x_G, and the pressures of all probes.
 std::vector<int> compared(const System& system) {
-  std::vector<int> readings{system.reading(reading::shear_force), system.reading(reading::displacement_x)};
+  std::vector<int> readings{system.reading("shear_force"), system.reading("caisson/displacement_x")};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const ReadingName& name = system.readings[i].name;
     if (name.group == "probes" && name.quantity == "pressure") readings.push_back(static_cast<int>(i));
@@ -60,7 +58,7 @@ void write_down(Record& record, const std::string& what, const std::vector<std::
 void compare(Record& record, const std::string& path) {
   const Case input = read_case(path);
   const Simulation scene = simulation_of(input);
-  const System& system = scene.compiled()->system;
+  const System& system = scene.system();
   const int impulse = load_named(system, "impulse");
   const TimeFunction& P = system.loads.at(impulse).history;
   const double step = (P.kinks().back() - P.kinks().front()) / 16.;

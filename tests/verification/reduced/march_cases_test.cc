@@ -9,7 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "fem/caisson/readings.h"
 #include "reduced_case.h"
 #include "upbead/base/error.h"
 

@@ -32,8 +32,7 @@ TEST(ReducedMarch, PrototypeDampedAtLength) {
   const Reduction reduction = reduce_scene(scene.scene(), *scene.compiled(), {true, false, {}});
   ASSERT_TRUE(reduction.converged);
   write_down(record, "shipped prototype",
-             error_against(reduction.model, scene.compiled()->system, scene.scene().time.end, duration / 64.),
-             asked_for);
+             error_against(reduction.model, scene.system(), scene.scene().time.end, duration / 64.), asked_for);
   record.at_most("shipped prototype: vectors", reduction.n_vectors, 30);
 }
 
@@ -44,7 +43,7 @@ TEST(ReducedMarch, PrototypeUndampedAtLength) {
   const ReducedSystem reduced = projected(*scene.compiled(), 1.75 * 2. * pi / duration, 45);
   const ModalModel model = modal_model(state_space(reduced), reduced);
   write_down(record, "shipped prototype without damping, 45 vectors",
-             error_against(model, scene.compiled()->system, scene.scene().time.end, duration / 64.), asked_for);
+             error_against(model, scene.system(), scene.scene().time.end, duration / 64.), asked_for);
 }
 
 /// Largest growth of |s| within one of 400 steps of a 50th of a duration, from a state after the loads.
@@ -94,8 +93,7 @@ TEST(ReducedStability, Prototype) {
     record.at_most(what + "largest real part of a mode's pole (1/s)", model.pole.real().maxCoeff(), 0.);
     record.at_most(what + "root of the energy after a step without load, over that before, minus 1", growth(space) - 1.,
                    1e-12);
-    record.at_most(what + "readings after 1e6 s, of their largest before",
-                   left_after_decay(model, scene.compiled()->system), 1.);
+    record.at_most(what + "readings after 1e6 s, of their largest before", left_after_decay(model, scene.system()), 1.);
   }
 }
 

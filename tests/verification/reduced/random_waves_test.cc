@@ -11,7 +11,6 @@
 #include <map>
 
 #include "discrete_kernel.h"
-#include "fem/caisson/readings.h"
 #include "reduced_case.h"
 
 namespace upbead::test {
@@ -31,11 +30,11 @@ SampledLoads sampled(const Eigen::VectorXd& force) {
 
 TEST(ReducedWaves, OfThePrototypeAtLength) {
   const Simulation scene = simulation_of(prototype());
-  const System& system = scene.compiled()->system;
+  const System& system = scene.system();
   ASSERT_EQ(system.loads.size(), 1u);
   const Reduction reduction = reduce_scene(scene.scene(), *scene.compiled(), {true, true, {}});
   ASSERT_TRUE(reduction.converged);
-  const int shear = system.reading(reading::shear_force);
+  const int shear = system.reading("shear_force");
   const Kernel kernel = discrete_kernel(system, {}, 0, {shear}, step, n - 1);
 
   std::map<std::string, std::vector<double>> errors;

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "fem/caisson/readings.h"
-
 namespace upbead::test {
 
 ShearError error_against(const ModalModel& model, const System& system, double end, double step) {
@@ -13,7 +11,7 @@ ShearError error_against(const ModalModel& model, const System& system, double e
   const Series marched = march(system, *scheme, make_time_grid(kinks(system), end, step)).ends;
   std::vector<TimeFunction> histories;
   for (const SystemLoad& load : system.loads) histories.push_back(load.history);
-  const int shear = system.reading(reading::shear_force);
+  const int shear = system.reading("shear_force");
   const Eigen::RowVectorXd truth = marched.reading.row(shear),
                            found = respond(model, sample(histories, marched.time)).reading.row(shear);
   const double peak = truth.cwiseAbs().maxCoeff();

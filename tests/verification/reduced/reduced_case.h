@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "case/case_run.h"
 #include "record.h"
 #include "response/reduction.h"
 #include "scenes.h"
+#include "upbead/case/case_run.h"
 
 namespace upbead::test {
 

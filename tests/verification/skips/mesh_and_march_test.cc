@@ -68,9 +68,7 @@ TEST(Skips, WaterThatTouchesNothing) {
   resolved.absent.clear();
   const Compiled with(resolved, *mesh);
   EXPECT_LT(without.scene.system.size(), with.scene.system.size());
-  const auto peak = [](const Compiled& compiled) {
-    return read_shear_response(compiled.scene, run(compiled, 0.3, 0.0125), true).peak_shear;
-  };
+  const auto peak = [](const Compiled& compiled) { return shear_of(compiled, run(compiled, 0.3, 0.0125)).peak_shear; };
   EXPECT_NEAR(peak(without), peak(with), 1e-9 * peak(with));
 }
 
@@ -87,8 +85,8 @@ TEST(Skips, TheEndOnceLittleEnergyIsLeft) {
   const Response whole = marched(0.), cut = marched(0.3);
   EXPECT_TRUE(cut.stopped_early);
   EXPECT_LT(cut.n_steps, 0.7 * whole.n_steps);
-  const double peak = read_shear_response(compiled.scene, whole, true).peak_shear;
-  EXPECT_NEAR(read_shear_response(compiled.scene, cut, true).peak_shear, peak, 1e-3 * peak);
+  const double peak = shear_of(compiled, whole).peak_shear;
+  EXPECT_NEAR(shear_of(compiled, cut).peak_shear, peak, 1e-3 * peak);
 }
 
 TEST(Skips, ReadingsThatNobodyAskedFor) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "record.h"
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {

@@ -9,8 +9,6 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "base/numbers.h"
-
 #include "dynamic_stiffness.h"
 
 namespace upbead::test {
@@ -38,8 +36,8 @@ TEST(StaticStiffness, RotationOnTheHalfPlane) {
     const ElasticSoil soil{nu};
     StiffnessCells cells;
     cells.calm = 1e4;  // a moment's motions die as 1/r
-    const double eta = std::log(3. - 4. * nu) / (2. * pi);
-    const double exact = 0.5 * pi / (1. - nu) * (1. + 4. * eta * eta);
+    const double eta = std::log(3. - 4. * nu) / (2. * M_PI);
+    const double exact = 0.5 * M_PI / (1. - nu) * (1. + 4. * eta * eta);
     const Stiffness compliance = computed_stiffness(soil, cells, 0.).inverse();  // no horizontal force
     record.at_most(name_of(soil) + ": static K_rr under a moment alone against Muskhelishvili",
                    std::abs(1. / compliance(2, 2).real() / exact - 1.), 5e-3);

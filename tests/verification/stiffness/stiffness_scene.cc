@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.h"
-
 #include "frequency_response.h"
 #include "tensor_mesh.h"
 
@@ -101,7 +99,7 @@ Scene stiffness_scene(const ElasticSoil& soil, const StiffnessCells& cells, cons
   for (const std::string& name : mesh.surfaces) {
     scene.regions[name] = ground;
     if (name.compare(0, ring_name.size(), ring_name) != 0) continue;
-    const double middle = (std::stoi(name.substr(ring_name.size())) + 0.5) / n_rings, frequency = a0 / (2. * pi);
+    const double middle = (std::stoi(name.substr(ring_name.size())) + 0.5) / n_rings, frequency = a0 / (2. * M_PI);
     scene.regions[name].damping = Rayleigh{cells.damping * std::pow(middle, 3), {frequency, frequency}};
   }
   Region& strip = scene.regions["strip"] = Region{};
@@ -116,7 +114,7 @@ Scene stiffness_scene(const ElasticSoil& soil, const StiffnessCells& cells, cons
 }
 
 StiffnessCells cells_for(const ElasticSoil& soil, double a0) {
-  const double wavelength = 2. * pi / a0;
+  const double wavelength = 2. * M_PI / a0;
   StiffnessCells cells;
   if (soil.is_layer() && a0 < soil.cut_off()) {
     cells.largest = wavelength / 3.5;

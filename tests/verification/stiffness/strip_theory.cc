@@ -7,8 +7,6 @@
 #include <functional>
 #include <vector>
 
-#include "base/numbers.h"
-
 namespace upbead::test {
 
 namespace {
@@ -131,7 +129,7 @@ class Integrals {
       for (int n = 0; n < n_terms; ++n)
         out(m, n) += (1. - nu_) * boost::math::cyl_bessel_i(2 * std::max(m, n) + parity, 1.) *
                      boost::math::cyl_bessel_k(2 * std::min(m, n) + parity, 1.);
-    return out / pi;
+    return out / M_PI;
   }
 
   /// Between even and odd terms; C ~ (1 - 2 nu) / (2 k), with int J_m J_n / k dk = 2/pi sin((m - n) pi/2) / (m^2 -
@@ -144,9 +142,9 @@ class Integrals {
       for (int n = 0; n < n_terms; ++n) {
         // the product of the sine and the signs of both transforms is -1
         const double even = 2. * m, odd = 2. * n + 1.;
-        out(m, n) -= c * 2. / pi / (even * even - odd * odd);
+        out(m, n) -= c * 2. / M_PI / (even * even - odd * odd);
       }
-    return out / pi;
+    return out / M_PI;
   }
 
  private:

@@ -156,7 +156,7 @@ StripHistory StripModel::under_triangle(double duration) {
   // The program's moment is about the middle of the half base, as only one half is modelled.
   out.moment = 2. * (read("base_moment") + 0.5 * caisson_.half_base * read("normal_force"));
   out.pressure_moment = 2. * read("pressure_moment");
-  out.peak_shear = 2. * read_shear_response(compiled_.scene, response, true).peak_shear;
+  out.peak_shear = 2. * shear_of(compiled_, response).peak_shear;
   return out;
 }
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "record.h"
-#include "response/shear_response.h"
 #include "scenes.h"
 #include "tensor_mesh.h"
 
@@ -127,7 +126,7 @@ TEST_P(EveryKind, BothRoutesToShearForceAndTheEnergyBalance) {
   const auto mesh = mesh_of_everything();
   const Compiled compiled(everything(compressibility), *mesh);
   const Response response = run(compiled, 0.6, 0.01, scheme);
-  const ShearResponse shear = read_shear_response(compiled.scene, response, true);
+  const ShearResponse shear = shear_of(compiled, response);
   const EnergyAccount& energy = response.energy.back();
   const std::string title = std::string(scheme == SchemeKind::sdirk4 ? "SDIRK4, " : "generalised-alpha, ") +
                             (compressibility == Compressibility::compressible ? "" : "in") + "compressible water";

@@ -1,4 +1,4 @@
-#include "run/watched.h"
+#include "run/monitors.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 
 namespace upbead {
 
-Watched::Watched(const Simulation& simulation) {
+Monitors::Monitors(const Simulation& simulation) {
   if (simulation.scene().limits.liquefaction && !simulation.processes() && !simulation.member())
     upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
@@ -35,7 +35,7 @@ Watched::Watched(const Simulation& simulation) {
   if (builds) cyclic.emplace(*simulation.space(), *simulation.unknowns());
 }
 
-std::vector<MarchObserver*> Watched::observers() {
+std::vector<MarchObserver*> Monitors::observers() {
   std::vector<MarchObserver*> list;
   if (pressure) list.push_back(&*pressure);
   if (strength) list.push_back(&*strength);
@@ -44,9 +44,9 @@ std::vector<MarchObserver*> Watched::observers() {
   return list;
 }
 
-void Watched::look(const Solution& solution) {
+void Monitors::look(const Solution& solution) {
   const Simulation& simulation = *solution.simulation;
-  const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.compiled()->system); };
+  const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.system()); };
   const auto duration = [&] { return step_of_loads(simulation.scene(), 4).duration; };
   if (solution.pressures && pressure) pressure->see(*solution.pressures, loads(), duration());
   if (solution.pressures && upward) upward->see(*solution.pressures, loads());

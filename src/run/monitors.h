@@ -13,10 +13,10 @@
 
 namespace upbead {
 
-class Watched {
+class Monitors {
  public:
   /// For the simulation that will be solved, which must outlive the march.
-  explicit Watched(const Simulation& simulation);
+  explicit Monitors(const Simulation& simulation);
 
   /// The observers of a march; this object must outlive the march.
   std::vector<MarchObserver*> observers();
