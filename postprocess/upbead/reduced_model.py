@@ -19,7 +19,7 @@ from .wave_table import read_wave
 
 __all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]
 
-KIND, VERSION = "upbead reduced model", 1
+KIND, VERSIONS = "upbead reduced model", (1, 2)  # 2: with /still_water, whose push is no part of F_T
 # factors of the differences of nested models, as in `upbead respond`: docs/reduced.md
 SAFETY_OF_MODEL, SAFETY_OF_MIDDLE = 1.2, 1.5
 
@@ -59,8 +59,8 @@ class ReducedModel(Shown):
     def _read(self, file, path):
         if text_of(file.attrs.get("kind", "")) != KIND:
             raise ModelError(f"'{path}' is no reduced model; give a file made by 'upbead reduce'")
-        if file.attrs["format_version"] != VERSION:
-            raise ModelError(f"'{path}' has format {file.attrs['format_version']}; this package reads format {VERSION}")
+        if file.attrs["format_version"] not in VERSIONS:
+            raise ModelError(f"'{path}' has format {file.attrs['format_version']}; this package reads formats 1 and 2")
 
         self._read_modes(file["modes"])
         self.loads, self.readings = _texts(file["loads/name"]), _texts(file["readings/name"])

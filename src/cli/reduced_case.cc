@@ -59,7 +59,7 @@ std::optional<ModelBase> model_base(const Simulation& simulation) {
   const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
   const std::optional<EffectiveBase> base = effective_base(simulation, none);
   if (!base) return std::nullopt;
-  ModelBase told{base->width, base->weight, base->weight_moment, 0.};
+  ModelBase told{base->width, base->weight, base->weight_moment, 0., base->push, base->push_moment};
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, {}, {});  // one where it has a peak, for `respond`
   if (uplift.size() == 1 && uplift.front().force > 0.)
     told.uplift_moment_per_force = uplift.front().moment / uplift.front().force;
@@ -79,6 +79,13 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   if (const auto& sliding = input.scene.sliding)
     file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled()), 0., file.end, 1).value);
   file.base = model_base(simulation);
+  if (input.scene.initial && input.scene.initial->harbour_level && simulation.compiled()->caisson) {
+    file.still = still_water(simulation.scene(), *simulation.compiled()->caisson);
+    if (file.sliding) {
+      file.sliding->submerged_weight += file.still->weight;
+      file.sliding->push = file.still->push;
+    }
+  }
   file.highest_frequency = summary_of(reduction).highest_frequency;
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;

@@ -12,6 +12,7 @@
 #include "cli/respond_cases.h"
 #include "output/wave_response.h"
 #include "respond/respond_waves.h"
+#include "sliding/still_water_push.h"
 
 namespace upbead {
 
@@ -273,8 +274,13 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
     sliding.uplift = "none";
   }
   sliding.friction = arguments.friction.value_or(sliding.friction);
-  sliding.submerged_weight = arguments.submerged_weight.value_or(sliding.submerged_weight);
+  const StillWater still = model.still.value_or(StillWater());
+  if (arguments.submerged_weight) sliding.submerged_weight = *arguments.submerged_weight + still.weight;
+  sliding.push = still.push;
   Diagnostics mistakes;
+  const std::string moved = moved_by_still_water({still.push, 0., 0.}, sliding.friction, sliding.submerged_weight);
+  if (model.still && sliding.friction > 0. && sliding.submerged_weight > 0. && !moved.empty())
+    mistakes.add(Place(), moved, "give a larger --friction or --buoyant-weight");
   if (sliding.friction == 0.)
     mistakes.add(Place(), "--buoyant-weight alone gives no resistance mu W', and the model's case has no [sliding]",
                  "give --friction too, such as 0.6");

@@ -52,9 +52,6 @@ std::vector<InputFile> input_files(const Design& design);
 /// Checks what `expected` needs: the tables, the record of sea states, the reduced model.
 void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report);
 
-/// Refuses still water at two levels, for commands that know one.
-void refuse_harbour(const DesignTables& tables, const Document& document, Diagnostics& report);
-
 /// Refuses P of Goda's formula with alpha_I as a force on a reduced model.
 void check_impact(const DesignTables& tables, const Document& document, Diagnostics& report);
 

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "case/case_checks.h"
 #include "design/expected_laws.h"
+#include "sliding/still_water_push.h"
 
 namespace upbead {
 
@@ -57,6 +58,23 @@ void check_scatter(const NamedScatter& named, const ScatterTables& tables, const
               "cut the distribution by low, such as low = 0.2");
 }
 
+/// Still water at two levels must leave the caisson where it is, at every level and with the least friction and weight.
+void check_push(const DesignTables& tables, const std::vector<double>& levels, double weight, const Place& place,
+                Diagnostics& report) {
+  const Uncertainties uncertain = uncertainties(tables.scatter);
+  const double friction = uncertain.friction ? uncertain.friction->quantile(least_u) : 1.;
+  for (const double level : levels) {
+    const Section there = with_factors(at_water_level(tables.section, tables.water, level), {1., 1., friction, weight});
+    const std::string why =
+        moved_by_still_water(still_water(there, tables.water), there.friction, there.submerged_weight,
+                             " where the sea stands " + significant(level, 4) + " m above that of [section]");
+    if (why.empty()) continue;
+    report.add(place, "with harbour_level = " + significant(tables.section.harbour_level, 6) + " m " + why,
+               "give the harbour a level nearer to the sea's, or cut [scatter.friction] and [scatter.weight] by low");
+    return;
+  }
+}
+
 /// Still water must stay above the berm and below the crest, and the caisson must not float.
 void check_levels(const DesignTables& tables, const std::vector<SeaState>& states, const Document& document,
                   Diagnostics& report) {
@@ -91,6 +109,8 @@ void check_levels(const DesignTables& tables, const std::vector<SeaState>& state
     report.add(uncertain.weight ? at_key("sea", document.place("scatter.weight")) : place,
                "at its least weight and in the highest water the caisson floats",
                "cut [scatter.weight] by low, or [scatter.water_level] by high");
+  else if (s.harbour_level != 0. && low > -depth && high <= s.crest)
+    check_push(tables, {low, high}, weight, place, report);
 }
 
 /// A life must not have more storms than can be computed in reasonable time.
@@ -204,15 +224,7 @@ Uncertainties uncertainties(const ScatterTables& tables) {
   return out;
 }
 
-void refuse_harbour(const DesignTables& tables, const Document& document, Diagnostics& report) {
-  if (report.sound("section") && tables.section.harbour_level != 0.)
-    report.add(document.place("section.harbour_level"),
-               "[section]: harbour_level is for `waves`: expected sliding has sea and harbour at one level",
-               "remove it, or write --set section.harbour_level=0");
-}
-
 void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report) {
-  refuse_harbour(tables, document, report);
   for (const NamedScatter& named : named_scatters()) check_scatter(named, tables.scatter, document, report);
   check_sea(tables, document, report);
   check_climate(tables, document, report);

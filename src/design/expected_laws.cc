@@ -50,6 +50,18 @@ void check_mass(double mass, const Section& section, const Water& water, const P
                "give one caisson in both, within 1 %");
 }
 
+/// Slip circles of the model are in the ground between its own two levels of still water.
+void check_still_water(const std::optional<StillWater>& of_model, const Section& section, const Water& water,
+                       const Place& place, Diagnostics& mistakes) {
+  const double model = of_model ? of_model->push : 0., own = still_water(section, water).push;
+  if (std::abs(model - own) <= mass_tolerance * std::max(std::abs(model), std::abs(own))) return;
+  mistakes.add(place,
+               "still water pushes the caisson of the model with " + significant(model, 5) +
+                   " N/m, that of [section] harbour_level = " + significant(section.harbour_level, 5) + " m with " +
+                   significant(own, 5) + " N/m",
+               "give [initial] harbour_level of the model's case and [section] harbour_level the same two levels");
+}
+
 constexpr double longer_by_scatter = 2.;  // bounds hold up to this multiple of the record's longest period
 
 /// The shortest t_r of waves that might slide the caisson. The rise grows with the height; half the threshold of eq.
@@ -92,6 +104,7 @@ WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, c
                      "' of the model puts no horizontal force on the caisson",
                  "name another one as load");
   check_mass(file.caisson_mass, section, water, place, mistakes);
+  check_still_water(file.still, section, water, place, mistakes);
   mistakes.throw_if_any();
   WaveModel model{
       file.title,
@@ -163,13 +176,17 @@ WaysToFail Laws::ways(const DrawnWave& wave) const {
 
 WaysToFail Laws::ways_at_rest() const {
   const SeaState calm{1., 10., 1., 0., 0.};
-  const WorstBase base = WaveForces(breakwater_, calm).base(0., {});
+  const WaveForces forces(breakwater_, calm);
+  const WorstBase base = forces.base(0., {});
   const Section& s = breakwater_.section;
-  const double weight_moment = s.submerged_weight * (0.5 * s.width - s.centroid.value_or(0.5 * s.width));
+  const StillWater& still = forces.still();
+  const double weight_moment = s.submerged_weight * (0.5 * s.width - s.centroid.value_or(0.5 * s.width)) +
+                               still.weight * s.width / 6. + still.push_moment;
   WaysToFail ways;
   ways.heel_pressure = base.heel_pressure;
   ways.toe_pressure = base.toe_pressure;
-  const auto found = least_factor(*answer_->circles(), {s.submerged_weight, 0., weight_moment}, nullptr);
+  const auto found =
+      least_factor(*answer_->circles(), {s.submerged_weight + still.weight, still.push, weight_moment}, nullptr);
   if (found) ways.circles = found->factor;
   return ways;
 }

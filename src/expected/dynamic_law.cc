@@ -32,9 +32,13 @@ ImpactWave DynamicLaw::on_wall(double height, const WaveFactors& factors) const 
   return wave;
 }
 
+double DynamicLaw::resistance(const Section& section) const {
+  return section.friction * (section.submerged_weight + forces_.still().weight);
+}
+
 double DynamicLaw::most(const ImpactWave& wave, const Section& section) const {
   const double F = answer_->bound(limits(wave), number_of_samples(wave, answer_->step()));
-  return F + section.friction * (wave.uplift - section.submerged_weight);
+  return F + std::abs(forces_.still().push) + section.friction * wave.uplift - resistance(section);
 }
 
 bool DynamicLaw::may_slide(double height, const WaveFactors& factors) const {
@@ -81,16 +85,17 @@ void answer(const ShearAnswer& model, const ImpactAssumptions& assumptions, cons
 }  // namespace
 
 double DynamicLaw::slide_under(const DynamicWave& out, const Section& section) const {
-  const double resistance = section.friction * section.submerged_weight;
-  const std::vector<double>& F = out.sliding_force;
-  const auto start = std::find_if(F.begin(), F.end(), [resistance](double f) { return std::abs(f) > resistance; });
+  const double R = resistance(section);
+  std::vector<double> F = out.sliding_force;
+  for (double& force : F) force += forces_.still().push;
+  const auto start = std::find_if(F.begin(), F.end(), [R](double f) { return std::abs(f) > R; });
   if (start == F.end()) return 0.;
   const auto rest = std::max<std::ptrdiff_t>(start - F.begin() - 1, 0);
   History history;
   history.value.assign(F.begin() + rest, F.end());
   for (std::size_t i = 0; i < history.value.size(); ++i)
     history.time.push_back((static_cast<double>(rest) + static_cast<double>(i)) * answer_->step());
-  return slide(section.weight / forces_.breakwater().water.gravity, history, resistance).residual;
+  return slide(section.weight / forces_.breakwater().water.gravity, history, R).residual;
 }
 
 double DynamicLaw::distance(double height, const WaveFactors& factors) const {
@@ -99,7 +104,7 @@ double DynamicLaw::distance(double height, const WaveFactors& factors) const {
   out.wave = on_wall(height, factors);
   if (most(out.wave, section) <= 0.) return 0.;
   sample(*answer_, out);
-  const double excess = section.friction * (out.wave.uplift - section.submerged_weight);
+  const double excess = std::abs(forces_.still().push) + section.friction * out.wave.uplift - resistance(section);
   if (answer_->bound(out.force.data(), static_cast<int>(out.force.size())) + excess <= 0.) return 0.;
   answer(*answer_, assumptions_, section, out);
   return std::max(slide_under(out, section), 0.);
@@ -133,8 +138,12 @@ EffectiveBase DynamicLaw::base_under(const ImpactWave& wave, const std::vector<d
   const int n = static_cast<int>(force.size());
   EffectiveBase base;
   base.width = B;
-  base.weight = s.submerged_weight;
-  base.weight_moment = s.submerged_weight * (0.5 * B - s.centroid.value_or(0.5 * B));
+  const StillWater& still = forces_.still();
+  base.weight = s.submerged_weight + still.weight;
+  base.weight_moment =
+      s.submerged_weight * (0.5 * B - s.centroid.value_or(0.5 * B)) + still.weight * B / 6. + still.push_moment;
+  base.push = still.push;
+  base.push_moment = still.push_moment;
   base.uplift.resize(force.size());
   sample_uplift(wave, assumptions_.uplift, step, n, force.data(), base.uplift.data());
   const Eigen::MatrixXd reading = answer_->base(force);
@@ -179,6 +188,7 @@ std::optional<WaysToFail> DynamicLaw::ways(double height, const WaveFactors& fac
   const EffectiveBase base = base_under(wave, force, section);
   std::vector<double> shear(force.size());
   answer_->respond(force.data(), static_cast<int>(force.size()), shear.data());
+  for (double& F : shear) F += base.push;
   const WorstBase worst = worst_of(base_extremes(base, times(force.size())));
   WaysToFail ways;
   ways.overturning = worst.overturning_margin;

@@ -178,7 +178,9 @@ class DynamicLaw : public SlidingLaw {
 
  private:
   ImpactWave on_wall(double height, const WaveFactors& factors) const;
-  /// A bound of |F_S| for such a wave, minus mu W' (N/m).
+  /// mu (W' + dW') (N/m): the resistance with still water at two levels, whose push is a part of the force.
+  double resistance(const Section& section) const;
+  /// A bound of |F_S| and still water's push for such a wave, minus that resistance (N/m).
   double most(const ImpactWave& wave, const Section& section) const;
   double slide_under(const DynamicWave& wave, const Section& section) const;
   EffectiveBase base_under(const ImpactWave& wave, const std::vector<double>& force, const Section& section) const;

@@ -30,10 +30,12 @@ class PulseLaw : public SlidingLaw {
   double distance(double height, const WaveFactors& factors) const override {
     const Section section = with_factors(forces_.breakwater().section, factors);
     const WavePressure pressure = forces_.at(height, factors);
-    const double resistance = section.friction * section.submerged_weight;
+    const StillWater& still = forces_.still();
+    const double resistance = section.friction * (section.submerged_weight + still.weight) - std::max(still.push, 0.);
     if (pressure.force + section.friction * uplift_gain() * pressure.uplift <= resistance)
       return 0.;  // most waves end here
-    if (resistance <= 0.) throw std::invalid_argument("the caisson floats: its submerged weight is not above 0");
+    if (resistance <= 0.)
+      throw std::invalid_argument("the caisson floats, or still water pushes it away: no resistance is left to a wave");
     const SlidingLoad load =
         sliding_load(section, forces_.breakwater().water, pressure, height, forces_.period(), forces_.breakwater().k);
     if (law_ == Law::paper) return sliding_distance_paper(load.mass, load.resistance, load.pulse);
@@ -158,6 +160,7 @@ Breakwater at_level(const Breakwater& breakwater, double rise) {
 
 WaveForces::WaveForces(const Breakwater& breakwater, const SeaState& state)
     : breakwater_(at_level(breakwater, state.water_level)),
+      still_(still_water(breakwater_.section, breakwater_.water)),
       period_(state.period),
       goda_(breakwater_.section, breakwater_.water, {0., state.significant_height, state.period, state.angle}) {}
 
@@ -173,21 +176,26 @@ WavePressure WaveForces::at(double height, const WaveFactors& factors, PressureF
 double WaveForces::excess(double height, const WaveFactors& factors) const {
   const Section s = with_factors(breakwater_.section, factors);
   const WavePressure p = at(height, factors);
-  return p.force + s.friction * (p.uplift - s.submerged_weight);
+  return p.force + std::max(still_.push, 0.) + s.friction * (p.uplift - s.submerged_weight - still_.weight);
 }
 
+/// At rest with still water's push as it is; in the wave as in stability(): it counts where it acts with it.
 WorstBase WaveForces::base(double height, const WaveFactors& factors) const {
   const Section s = with_factors(breakwater_.section, factors);
   const WavePressure p = at(height, factors);
-  const double B = s.width, W = s.submerged_weight, W_e0 = W * (0.5 * B - s.centroid.value_or(0.5 * B));
-  const double N = W - p.uplift, M = W_e0 + p.uplift_moment - 0.5 * p.uplift * B + p.force_moment;
+  const double B = s.width, own = s.submerged_weight, W = own + still_.weight;
+  // dW' is a triangle, B/3 from the heel
+  const double of_weight = own * (0.5 * B - s.centroid.value_or(0.5 * B)) + still_.weight * B / 6.;
+  const double W_e0 = of_weight + still_.push_moment, with_wave = std::max(still_.push_moment, 0.);
+  const double N = W - p.uplift, M_P = p.force_moment + with_wave;
+  const double M = of_weight + p.uplift_moment - 0.5 * p.uplift * B + M_P;
   const EdgePressures rest = edge_pressures(W, W_e0, B), wave = edge_pressures(N, M, B);
   WorstBase worst;
   worst.heel_pressure = std::max(above_all(rest.landward), above_all(wave.landward));
   worst.toe_pressure = std::max(above_all(rest.seaward), above_all(wave.seaward));
   const double e = N > 0. ? M / N : 0.;
   worst.eccentricity = std::abs(e) > std::abs(W_e0 / W) ? e : W_e0 / W;
-  if (p.force_moment > 0.) worst.overturning_margin = (W * (0.5 * B) - W_e0 - p.uplift_moment) / p.force_moment;
+  if (M_P > 0.) worst.overturning_margin = (W * (0.5 * B) - of_weight - p.uplift_moment) / M_P;
   return worst;
 }
 

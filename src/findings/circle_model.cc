@@ -29,7 +29,7 @@ struct OwnWave {
 
   /// The load at a time under `scale` times the wave.
   BaseMoment at(std::size_t i, double scale) const {
-    return {time[i], rest.force + scale * force[i], scale * shear[i], rest.moment + scale * moment[i]};
+    return {time[i], rest.force + scale * force[i], rest.shear + scale * shear[i], rest.moment + scale * moment[i]};
   }
 };
 
@@ -38,7 +38,7 @@ std::optional<OwnWave> own_wave(const Simulation& simulation, const Reduction& r
   const Response response = respond(reduction, simulation.scene(), system);
   const std::optional<EffectiveBase> base = effective_base(simulation, response.ends);
   if (!base) return std::nullopt;
-  OwnWave own{response.ends.time, {{}, base->weight, 0., base->weight_moment}, {}, {}, {}};
+  OwnWave own{response.ends.time, {{}, base->weight, base->push, base->weight_moment}, {}, {}, {}};
   const auto F = response.ends.reading.row(system.reading(reading::shear_force));
   for (std::size_t i = 0; i < own.time.size(); ++i) {
     own.force.push_back(base->force[i] - base->weight);

@@ -160,7 +160,6 @@ const std::vector<Row>& rows() {
       {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
       {Treatment::reduce_command, yielding, "soil that yields has no modes"},
       {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-      {Treatment::reduce_command, two_levels, "sliding by a model begins without the shear of still water"},
       {Treatment::soil_model, early_stop, "it keeps no account of energy to stop by"},
       {Treatment::soil_model, consolidation, "it needs inertia"},
       {Treatment::soil_model, contact, "it does not slip node by node"},

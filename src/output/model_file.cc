@@ -84,6 +84,23 @@ const auto fields_of_sliding = [](auto& sliding, const auto& visit) {
   visit("lag", sliding.lag);
 };
 
+const char* const still_group = "/still_water";
+
+const auto fields_of_still = [](auto& still, const auto& visit) {
+  visit("push", still.push);
+  visit("push_moment", still.push_moment);
+  visit("weight", still.weight);
+};
+
+/// Gives its part to what rests on the base.
+void add_still_water(ReducedModelFile& model) {
+  if (!model.still) return;
+  if (model.sliding) model.sliding->push = model.still->push;
+  if (!model.base) return;
+  model.base->push = model.still->push;
+  model.base->push_moment = model.still->push_moment;
+}
+
 void write_nested(Hdf5Image& image, const NestedModels& nested) {
   image.group(nested_group);
   write_modes(image, nested_group + "/middle", nested.middle);
@@ -164,7 +181,7 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
 std::string model_file(const ReducedModelFile& model) {
   Hdf5Image image(model.title);
   image.attribute("/", "kind", std::string(model_kind));
-  image.attribute("/", "format_version", model_version);
+  image.attribute("/", "format_version", model.still ? two_levels_version : model_version);
   image.text("/case", model.case_text);
   write_attributes(image, "/case", fields_of_case, model);
   write_loads(image, model.loads);
@@ -177,6 +194,10 @@ std::string model_file(const ReducedModelFile& model) {
   if (model.sliding) {
     image.group("/sliding");
     write_attributes(image, "/sliding", fields_of_sliding, *model.sliding);
+  }
+  if (model.still) {
+    image.group(still_group);
+    write_attributes(image, still_group, fields_of_still, *model.still);
   }
   if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
@@ -199,6 +220,8 @@ ReducedModelFile read_model_file(const std::string& path) {
   model.error_march = parts.optional_number("/validity", "error_march");
   if (parts.has("/sliding", "friction")) read_attributes(parts, "/sliding", fields_of_sliding, model.sliding.emplace());
   model.base = read_base(parts);
+  if (parts.has(still_group, "push")) read_attributes(parts, still_group, fields_of_still, model.still.emplace());
+  add_still_water(model);
   model.slip = read_slip(parts);
   model.circles = read_circles(parts, model.modes.load_name);
   parts.require_checksum();

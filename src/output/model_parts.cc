@@ -28,10 +28,10 @@ ModelParts::ModelParts(const std::string& path) : path_(path), file_(path, made_
   if (file_.text_attribute("/", "kind").value_or("") != model_kind)
     throw InputError({path_}, "an HDF5 file, but no reduced model", std::string("give ") + made_by);
   const double version = file_.number_attribute("/", "format_version").value_or(0.);
-  if (version != model_version)
+  if (version != model_version && version != two_levels_version)
     throw InputError({path_},
-                     "a reduced model in format " + significant(version) + "; this program reads format " +
-                         std::to_string(model_version),
+                     "a reduced model in format " + significant(version) + "; this program reads formats " +
+                         std::to_string(model_version) + " and " + std::to_string(two_levels_version),
                      std::string(again) + " of the same version");
 }
 

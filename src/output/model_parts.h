@@ -14,6 +14,7 @@ namespace upbead::detail {
 
 inline const char* const model_kind = "upbead reduced model";
 constexpr int model_version = 1;  ///< of the layout; raise it when a reader of the old layout would misread the new one
+constexpr int two_levels_version = 2;  ///< of files with /still_water, without which S and margins are too good
 
 /// Reads parts of a model and collects their mistakes; a wrong part is returned as zeros or empty texts.
 class ModelParts {

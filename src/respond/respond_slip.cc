@@ -33,7 +33,8 @@ Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vecto
 }
 
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
-                        const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U) {
+                        const Eigen::RowVectorXd& shear, const Eigen::RowVectorXd& U) {
+  const Eigen::RowVectorXd F_T = shear.array() + sliding.push;
   Eigen::RowVectorXd R = Eigen::RowVectorXd::Constant(F_T.size(), sliding.submerged_weight);
   if (U.size() > 0) R = (R - U).cwiseMax(0.);
   R *= sliding.friction;

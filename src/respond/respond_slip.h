@@ -20,9 +20,10 @@ namespace upbead {
 Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
                                    const Eigen::RowVectorXd& P);
 
-/// S (m) by eq. (4): F_T and U are straight between the times; an empty U stands for no uplift. mass: W/g (kg/m).
+/// S (m) by eq. (4): F_T, to which still water's push is added, and U are straight between the times; an empty U stands
+/// for no uplift. mass: W/g (kg/m).
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
-                        const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U);
+                        const Eigen::RowVectorXd& shear, const Eigen::RowVectorXd& U);
 
 /// Joins the two loads of the system, with one history, that stand for a load which prescribes a pore pressure.
 void join_pore_pressures(ModalModel& model);

@@ -146,7 +146,8 @@ class BaseAnswer {
     }
     const auto list = [](const Eigen::RowVectorXd& row) { return std::vector<double>(row.begin(), row.end()); };
     const Eigen::RowVectorXd force = (N - U).array() + base_.weight, moment = (M + M_U).array() + base_.weight_moment;
-    return {base_.width, base_.weight, base_.weight_moment, 0., 0., list(U), list(M_U), list(force), list(moment)};
+    return {base_.width, base_.weight, base_.weight_moment, base_.push,  base_.push_moment,
+            list(U),     list(M_U),    list(force),         list(moment)};
   }
 
  private:
@@ -289,9 +290,10 @@ class FileWork {
     out.why_not_coupled = std::move(slip.why_not);
   }
 
-  void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& F, bool batch,
-                WaveResponse& out) const {
+  void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& shear,
+                bool batch, WaveResponse& out) const {
     const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed);
+    const Eigen::RowVectorXd F = shear.array() + base.push;
     if (circles_) out.circle = circles_->answer(loads, grid_, batch, base, F);
     if (!options_.sliding) return;
     const BaseExtremes worst = base_extremes(base, grid_.time);

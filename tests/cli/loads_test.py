@@ -106,10 +106,47 @@ class TwoLevels(Loads):
         self.assertIsNotNone(found["verdict"]["why_void"])
 
     def test_what_begins_without_shear_is_refused(self):
-        for command, setting in (("reduce", ""), ("run", 'regions.caisson.interface.kind="friction"')):
-            done = upbead(command, LEVELS, *self.settings(*self.GIVEN, *([setting] if setting else [])), cwd=self.folder)
-            self.assertEqual(done.returncode, 1)
-            self.assertIn("begins without the shear of still water", done.stderr)
+        friction = 'regions.caisson.interface.kind="friction"'
+        done = upbead("run", LEVELS, *self.settings(*self.GIVEN, friction), cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("begins without the shear of still water", done.stderr)
+
+    def test_respond_gives_what_run_gives(self):
+        strong = ("regions.seabed.strength={ friction_angle = 35 }", "regions.mound.strength={ friction_angle = 40, cohesion = 20e3 }")
+        given = (*self.GIVEN, *strong, "sliding.friction=0.18")  # so that it slides
+        run = self.run_with(*given)
+        told = self.told("reduce", LEVELS, "--json", "--out", "model", *self.settings(*self.COARSE, *given))
+        self.assertIn("slip as a whole begins without shear", json.dumps(told))
+        times = [5 * i / 400 for i in range(401)]
+        rows = "".join(f"{5 + t!r},{672.6e3 * math.sin(math.pi * t / 5)!r}\n" for t in times)
+        (self.folder / "wave.csv").write_text("time,wave\n0,0\n" + rows)
+        wave = self.told("respond", "model/reduced.h5", "wave.csv", "--json", "--out", "answer")["waves"][0]
+        sliding, base = run["sliding"], run["base"]
+        self.assertGreater(sliding["sliding_history"], 1e-3)
+        self.assertAlmostEqual(wave["peak_shear"] / run["response"]["peak_shear"], 1, delta=2e-3)
+        self.assertAlmostEqual(wave["sliding"] / sliding["sliding_history"], 1, delta=1e-2)
+        for key in ("peak_heel_pressure", "least_overturning_margin"):
+            self.assertAlmostEqual(wave[key] / base[key], 1, delta=2e-3, msg=key)
+        for key in ("force", "shear", "moment"):  # of the moment that governs; pore pressures differ: the run has no computed one
+            self.assertAlmostEqual(wave["circle"][key] / run["circles"]["still"][key], 1, delta=1e-3, msg=key)
+        one = self.told("respond", "model/reduced.h5", "wave.csv", "--json", "--out", "other", "--friction", "0.18",
+                        "--buoyant-weight", "4571.5e3")["waves"][0]
+        self.assertEqual(one["sliding"], wave["sliding"])
+        done = upbead("respond", "model/reduced.h5", "wave.csv", "--friction", "0.05", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("it slides without a wave", done.stderr)
+
+    def test_a_life_has_them(self):
+        text = (CASES / "designer/design.toml").read_text()
+        shutil.copy(CASES / "designer/storms.csv", self.folder)
+        (self.folder / "design.toml").write_text(text)
+        base = self.settings("section.friction=0.4")
+        one, two = (self.told("expected", "design.toml", "--json", *base, *self.settings(*more))["expected"]
+                    for more in ((), ("section.harbour_level=-2.0",)))
+        self.assertGreater(two["distance_exact"], one["distance_exact"])
+        done = upbead("expected", "design.toml", *self.settings("scatter.friction.kind='lognormal'", "scatter.friction.cov=0.6", "section.harbour_level=-2.0"), cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("it slides without a wave", done.stderr)
 
     def test_formulas_have_them(self):
         friction = "section.friction=0.5"  # so that it slides

@@ -199,8 +199,9 @@ const std::vector<BadExpected> rows{
      "design.toml:45:1: [impact]: 'peak_gain' is given, but the peak is by force = \"proverbs\"; remove peak_gain, or "
      "write force = \"impulse\""},
     {"HarbourAtAnotherLevel", "submerged_weight = 4.296e6", "submerged_weight = 4.296e6\nharbour_level = -1.0",
-     "design.toml:13:1: [section]: harbour_level is for `waves`: expected sliding has sea and harbour at one level; "
-     "remove it, or write --set section.harbour_level=0"},
+     "design.toml:42:1: still water pushes the caisson of the model with 0 N/m, that of [section] harbour_level = -1 m "
+     "with 85887 N/m; give [initial] harbour_level of the model's case and [section] harbour_level the same two "
+     "levels"},
     {"UnknownUplift", "peak_gain = 1.5", "uplift = \"none\"",
      "design.toml:45:1: uplift = \"none\" is none of held, in_phase, sinusoidal; choose one of them"},
     {"NoColumnOfPeriods", "period", "periods",

@@ -99,6 +99,22 @@ TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+TEST(ModelFile, KeepsStillWaterAtTwoLevelsInAFormatOfItsOwn) {
+  ReducedModelFile made = oscillator();
+  made.sliding = ModelSliding{0.6, 4.3e6, 1e4, "held", 0.25, 0.02};
+  made.base = ModelBase{20., 4.3e6, 1e6, 0.5};
+  made.still = StillWater{257e3, 1.1e6, 303e3};
+  const TemporaryFile file(model_file(made));
+  const ReducedModelFile read = read_model_file(file.path());
+  ASSERT_TRUE(read.still && read.sliding && read.base);
+  EXPECT_EQ(read.still->weight, 303e3);
+  EXPECT_EQ(read.sliding->push, 257e3);  // W' has dW' already
+  EXPECT_EQ(read.sliding->submerged_weight, 4.3e6);
+  EXPECT_EQ(read.base->push, 257e3);
+  EXPECT_EQ(read.base->push_moment, 1.1e6);
+  EXPECT_EQ(model_file(read), model_file(made));
+}
+
 TEST(ModelFile, KeepsASlip) {
   ReducedModelFile made = oscillator();
   EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).slip);
@@ -202,9 +218,10 @@ TEST(ModelFile, RefusesOtherFiles) {
 TEST(ModelFile, RefusesOtherKindsAndVersions) {
   EXPECT_EQ(refusal_after([](hid_t file) { H5Adelete(file, "kind"); }),
             "m: an HDF5 file, but no reduced model; give a model made by 'upbead reduce'");
-  EXPECT_EQ(refusal_after([](hid_t file) { put_attribute(file, "/", "format_version", 2.); }),
-            "m: a reduced model in format 2; this program reads format 1; make it again with 'upbead reduce' of the "
-            "same version");
+  EXPECT_EQ(
+      refusal_after([](hid_t file) { put_attribute(file, "/", "format_version", 3.); }),
+      "m: a reduced model in format 3; this program reads formats 1 and 2; make it again with 'upbead reduce' of the "
+      "same version");
 }
 
 TEST(ModelFile, TellsEveryPartThatIsWrong) {

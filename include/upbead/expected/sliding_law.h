@@ -80,10 +80,12 @@ class WaveForces {
   WaveForces(const Breakwater& breakwater, const SeaState& state);
   /// At the water level of the sea state.
   const Breakwater& breakwater() const { return breakwater_; }
+  /// What still water does there by the harbour_level of the section.
+  const StillWater& still() const { return still_; }
   double period() const { return period_; }
   double wavelength() const { return goda_.wavelength(); }  ///< L (m)
   WavePressure at(double height, const WaveFactors& factors, PressureFormula formula = PressureFormula::extended) const;
-  /// F_Smax - mu W' (N/m), with alpha*.
+  /// F_Smax - mu W' (N/m), with alpha*, and with still water's push where it acts with the wave, as in stability().
   double excess(double height, const WaveFactors& factors) const;
   /// The height at which excess() is zero (m), approached from below to the last digits; infinity where it is negative
   /// even at 1 km.
@@ -94,6 +96,7 @@ class WaveForces {
 
  private:
   Breakwater breakwater_;
+  StillWater still_;
   double period_;
   Goda goda_;
 };

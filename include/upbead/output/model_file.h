@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/base/error.h"
+#include "upbead/base/still_water.h"
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/nested_models.h"
 #include "upbead/dynamics/reduced_system.h"
@@ -29,6 +30,7 @@ struct ModelSliding {
   std::string uplift = "none";  ///< in_phase, held (of P), computed (pore pressure), history (of the case's wave alone)
   double uplift_per_force = 0.;  ///< of in_phase and held: U over P
   double lag = 0.;               ///< by which U comes after P (s)
+  double push = 0.;              ///< of still water at two levels, which F_T does not have (N/m); dW' is in W'
 };
 
 /// What stands on the base at rest, and how a prescribed uplift presses.
@@ -37,6 +39,7 @@ struct ModelBase {
   double weight = 0.;                   ///< W' (N/m)
   double weight_moment = 0.;            ///< W' e_0 about the middle, overturning landward positive (N m/m)
   double uplift_moment_per_force = 0.;  ///< of a prescribed uplift (m)
+  double push = 0., push_moment = 0.;   ///< of still water at two levels (N/m, N m/m); W' and W' e_0 have their part
 };
 
 /// The scene with a caisson that slips on its ground as a whole.
@@ -63,6 +66,7 @@ struct ReducedModelFile {
   std::optional<NestedModels> nested;
   std::optional<double> error_march;    ///< of the history, against a march, where one was made
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
+  std::optional<StillWater> still;      ///< of sea and harbour at two levels; none where they are at one
   std::optional<ModelBase> base;        ///< none where W' is not known, or the file is of an older version
   std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it could not be computed
   /// Slip circles under the caisson; none where no region has a strength, and in files of before them.

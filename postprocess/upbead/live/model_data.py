@@ -24,6 +24,8 @@ def model_data(path):
     if missing:
         raise ModelError(f"'{path}' has no reading '{missing[0]}': its mesh has no surface 'caisson'; reduce a case with one")
     with open_h5(path) as file:
+        if "still_water" in file:
+            raise ModelError(f"'{path}' has still water at two levels, and a page knows one: use 'upbead respond'")
         case, loads = file["case"].attrs, file["loads"]
         names, units = ([text_of(text) for text in loads[key][()]] for key in ("name", "unit"))
         numbers = zip(names, units, loads["peak"][()].tolist(), loads["duration"][()].tolist())

@@ -170,6 +170,14 @@ void check_grid(const DesignTables& tables, const Document& document, Diagnostic
                "give H/h up to 0.8, periods with H below 0.142 L tanh(kh) and H/L within steepness, and d up to h'");
 }
 
+/// k is that of waves on a resistance without still water's push.
+void refuse_harbour(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  if (report.sound("section") && tables.section.harbour_level != 0.)
+    report.add(document.place("section.harbour_level"),
+               "[section]: a calibration has sea and harbour at one level, as k belongs to the wave alone",
+               "remove it, or write --set section.harbour_level=0");
+}
+
 }  // namespace
 
 void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report) {
