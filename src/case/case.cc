@@ -126,6 +126,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   if (open) problem.scene.time.end = infinity;  // until the loads are known
   make_loads(problem, report);
   make_sliding(problem, report);
+  if (report.sound("loads")) make_cycles(problem, report);
   add_section_friction(problem);
   report.throw_if_any(path);
   problem.notes = report.notes();
@@ -164,6 +165,7 @@ CaseTables effective_tables(const Case& problem, const std::string& output_folde
     for (const LoadWay& way : load_ways())
       for (const auto path : way.paths) look_from_folder(table.*path);
   for (auto& [name, record] : tables.measured) look_from_folder(record.file);
+  if (tables.cycles_table) static_cast<Cycles&>(tables.cycles_table.emplace()) = *problem.scene.cycles;
   if (!tables.sliding_table) return tables;
   tables.sliding_table->own_friction = problem.scene.sliding->friction;
   tables.sliding_table->own_submerged_weight = problem.scene.sliding->submerged_weight;

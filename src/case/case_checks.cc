@@ -91,8 +91,8 @@ void check_time(const CaseTables& tables, const Document& document, Diagnostics&
 }
 
 void check_cycles(const CaseTables& tables, const Document& document, Diagnostics& report) {
-  if (tables.cycles && report.sound("cycles"))
-    TableDiagnostics("cycles", document, report).add(diagnose(*tables.cycles));
+  if (tables.cycles_table && report.sound("cycles"))
+    TableDiagnostics("cycles", document, report).add(diagnose(*tables.cycles_table));
 }
 
 void check_output(const CaseTables& tables, const Document& document, Diagnostics& report) {

@@ -142,26 +142,6 @@ TableSchema<TimeChoice> time_schema() {
   return table;
 }
 
-TableSchema<Cycles> cycles_schema() {
-  TableSchema<Cycles> table;
-  table.key("number", &Cycles::number, "", "number of waves in each part of the storm, in order of time; as period")
-      .range(above(0.))
-      .required();
-  table.key("period", &Cycles::period, "s", "wave period in each part").range(above(0.)).required();
-  table
-      .key("height", &Cycles::height, "m",
-           "wave height in each part; the shear of the run counts in proportion to it over run_height")
-      .range(above(0.))
-      .fallback("all waves are as the run's");
-  table.key("run_height", &Cycles::run_height, "m", "height of the wave whose loads the case has; needed with height")
-      .range(above(0.))
-      .fallback("none");
-  table.key("calm", &Cycles::calm, "s", "time after the storm that is followed, while the pressure goes")
-      .range(at_least(0.))
-      .fallback("until a hundredth of the largest pressure is left, at most a thousand times the storm");
-  return table;
-}
-
 TableSchema<Probe> probe_schema() {
   TableSchema<Probe> table;
   table.key("at", &Probe::at, "m", "point (x, y) to read").required();
@@ -263,10 +243,10 @@ TableSchema<CaseTables> case_schema() {
   table.section("output", output_schema());
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
-  table.table("cycles", &CaseTables::cycles, cycles_schema())
+  table.table("cycles", &CaseTables::cycles_table, cycles_schema())
       .doc(
           "The waves of a storm, of which the loads of the case are one: residual pore pressure, settlement and tilt, "
-          "where a region has a table cyclic. Not asked without this table.");
+          "where a region has a table cyclic. Not asked without this table; empty it takes the sea states of [sea].");
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);

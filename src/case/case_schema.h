@@ -7,6 +7,7 @@
 
 #include "case/load_table.h"
 #include "case/records/record_keys.h"
+#include "case/storm_cycles.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
 #include "upbead/input/report_head.h"
@@ -26,8 +27,10 @@ struct SlidingTable : SlidingChoice {
   std::optional<UpliftTable> uplift_table;
 };
 
-/// The whole file as written; `loads` and `sliding` of Scene are made of load_tables and sliding_table.
+/// The whole file as written; `loads`, `sliding` and `cycles` of Scene are made of load_tables, sliding_table and
+/// cycles_table.
 struct CaseTables : Scene {
+  std::optional<CyclesTable> cycles_table;
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
   std::optional<Section> section;

@@ -16,6 +16,7 @@ std::vector<InputFile> input_files(const Case& problem) {
   for (const LoadSource* source : sources_of(problem)) append(files, source->files);
   for (const auto& [name, record] : problem.tables->measured)
     files.push_back({problem.resolve(record.file), problem.place(dotted("measured", name) + ".file")});
+  append(files, files_of_cycles(problem));
   return files;
 }
 

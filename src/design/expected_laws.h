@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "case/records/record_layout.h"
+#include "case/records/sea_states.h"
 #include "design/expected_report.h"
 #include "design_tables.h"
 #include "expected/dynamic_law.h"
@@ -18,11 +18,6 @@
 namespace upbead {
 
 inline constexpr double steps_of_a_rise = 80.;  ///< steps of a response in the shortest rise of a force
-
-/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, where given, angle (degrees) and
-/// water_level (m), in any order. Units in the header are converted; a counter is left out and added to `notes`.
-/// Throws InputError with every mistake; a file that cannot be read is a mistake at `place`.
-std::vector<SeaState> read_sea_states(const std::string& path, const Place& place, RecordNotes& notes);
 
 /// The part of a model's file that `expected` uses.
 struct WaveModel {

@@ -1,4 +1,4 @@
-#include "design/expected_laws.h"
+#include "case/records/sea_states.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
