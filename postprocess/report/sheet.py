@@ -34,6 +34,8 @@ def row(check):
     basis = join([tag("code", check["measure"]) if check.get("measure") else "", prose("; " + stands_on) if stands_on else ""])
     capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit)
     demand = quantity(check["demand"], unit) if check.get("demand") is not None else "" if check.get("why_not") or "failing" in check else say("without bound")
+    if check.get("probability") is not None:
+        demand = join([demand, " (P ", plain(check["probability"], 3), ")"])
     return name_of(check), demand, capacity, "" if margin is None else plain(margin, 3), result(check), basis
 
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "base/crew.h"
@@ -30,7 +31,8 @@ std::string progress_line(const std::string& what, double done, double elapsed) 
   return line;
 }
 
-Progress::Progress(std::string what) : what_(std::move(what)), visible_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what)
+    : what_(std::move(what)), visible_(isatty(STDERR_FILENO) == 1 || std::getenv(progress_through_pipe) != nullptr) {}
 
 Progress::~Progress() {
   if (drawn_at_ >= 0.) std::fputs(clear, stderr);

@@ -9,6 +9,9 @@
 
 namespace upbead {
 
+/// Environment variable of a process whose stderr is a pipe to one that shows its progress, see child_program.h.
+constexpr const char* progress_through_pipe = "UPBEAD_PROGRESS_THROUGH_PIPE";
+
 /// The line is for a person at a terminal: nothing is written where stderr is a file or a pipe.
 class Progress {
  public:

@@ -25,9 +25,8 @@ Scene scene_on(const Case& input, const Mesh& mesh) {
   return scene_on(input, mesh, end_on(input, mesh));
 }
 
-Simulation simulation_by(
-    const Case& input, std::shared_ptr<const Mesh> mesh,
-    const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make) {
+Simulation simulation_by(const Case& input, std::shared_ptr<const Mesh> mesh,
+                         const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make) {
   return in_places_of(input, [&] {
     check_size(input.scene);
     const Stopwatch watch;

@@ -31,11 +31,10 @@ std::shared_ptr<const Mesh> settle_end(Case& input);
 /// The case's scene with what follows with the mesh: profiles, an end that is left to be chosen, pieces of its loads.
 Scene scene_on(const Case& input, const Mesh& mesh);
 
-/// The case's simulation as `make` makes it of that scene, checked as simulation_of() does; the mesh is read where it is
-/// not given.
-Simulation simulation_by(
-    const Case& input, std::shared_ptr<const Mesh> mesh,
-    const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make);
+/// The case's simulation as `make` makes it of that scene, checked as simulation_of() does; the mesh is read where it
+/// is not given.
+Simulation simulation_by(const Case& input, std::shared_ptr<const Mesh> mesh,
+                         const std::function<Simulation(Scene scene, const std::shared_ptr<const Mesh>& mesh)>& make);
 
 /// simulation_of(input, mesh) on one process, after another simulation, see Simulation.
 Simulation simulation_after(const Simulation* before, const Case& input, std::shared_ptr<const Mesh> mesh);

@@ -44,15 +44,17 @@ Examples:
 const char* const sheet_footer =
     R"(Does all that a file allows: its waves by formulas at all levels of still water ([section], [waves.NAME],
 [levels]), the run ([mesh], [regions], [loads.NAME]), the sliding of a record of seas or of a life ([sea] or
-[storms], [life]). Prints one table: each check with demand, capacity, factor, the factor required, and the
+[storms], [life]), probabilities of failure ([reliability], by upbead-reliability). Prints one table: each check
+with demand, capacity, factor, the factor required, and the
 measure; the worst of each way to fail governs it. What the file does not ask for and what the program does not
 look at stands below it. Limits are those of [limits].
 
 Writes into results/NAME-sheet (or --out DIR), all or nothing:
-  summary.json   the table, and the summaries of waves, run and expected in it
+  summary.json   the table, and the summaries of waves, run, expected and reliability in it
   sheet.md       the table as Markdown
   results.h5     the histories of the run; reduced.h5 the model by which the life was answered
   case.toml      the file with all defaults spelled out; gives the same sheet
+  reliability/   what 'upbead reliability' writes, where the file has [reliability]
 
 Examples:
   upbead sheet cases/designer/section.toml

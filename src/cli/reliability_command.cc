@@ -1,20 +1,10 @@
 // The command reliability: probability of failure of a section in one wave whose numbers are random.
 #include "cli/design_command.h"
 #include "reliability/answer.h"
-#include "reliability/fault_tree.h"
 
 namespace upbead {
 
 namespace {
-
-void check_random(const DesignTables& tables, const Document& document, Diagnostics& report) {
-  check_reliability(tables, document, report);
-  if (tables.reliability && report.sound("reliability.system"))
-    for (const auto& [at, what, cure] : diagnose(tables.reliability->system, limit_state_names()))
-      report.add(document.place(dotted("reliability.system", at.key)), "[reliability.system." + at.key + "]: " + what,
-                 cure);
-  if (tables.sea || tables.storms) check_expected(tables, document, report);
-}
 
 DesignOutput reliability(const Design& design, const Stopwatch&) {
   const ReliabilityAnswer answer = find_reliability(design);

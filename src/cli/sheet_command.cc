@@ -1,9 +1,12 @@
 // The command sheet: all that one file allows, in one table.
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <set>
 
+#include "base/child_program.h"
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
@@ -20,6 +23,7 @@
 #include "design/waves_report.h"
 #include "findings/histories.h"
 #include "output/result_file.h"
+#include "reliability/answer.h"
 #include "run/derived.h"
 #include "upbead/base/error.h"
 
@@ -69,9 +73,10 @@ SheetInput read_input(const CaseOptions& options) {
   if (input.asked.run) keep_mistakes(report, seen, [&] { input.scene = read_case(options.file, options.overrides); });
   if (input.asked.waves || input.asked.life)
     keep_mistakes(report, seen, [&] {
-      input.design =
-          read_design(options.file, options.overrides,
-                      input.asked.life ? std::vector<DesignCheck>{check_expected} : std::vector<DesignCheck>{});
+      std::vector<DesignCheck> checks;
+      if (input.asked.life) checks.push_back(check_expected);
+      if (input.asked.chances && input.asked.waves) checks.push_back(check_random);
+      input.design = read_design(options.file, options.overrides, checks);
     });
   report.throw_if_any(options.file);
   input.title = input.scene ? input.scene->scene.title : input.design->tables.title;
@@ -84,9 +89,6 @@ struct Done {
   SheetPart part;
   Json summary;
 };
-
-const char* const not_by_sheet =
-    "[reliability] is asked for, and no probability is on this sheet: 'upbead reliability' computes them";
 
 Done no_part(const std::string& name, const std::string& why) {
   return {{name, {}, {}, why}, Json()};
@@ -184,6 +186,47 @@ SolvedScene run_part(const SheetInput& input, const OutputFolder& folder) {
           simulation.system().interface ? std::make_shared<const Simulation>(simulation) : run.simulation};
 }
 
+const std::string chances_folder = "reliability";
+
+/// A probability that is asked for and was not found: it stays on the sheet.
+Done no_chances(const SheetInput& input, const std::string& why) {
+  Check check = check_of(FailureMode::failure_of_life, "reliability index of the life", "", {}, "modes", "");
+  check.by = "formulas";
+  if (input.design && input.design->tables.reliability)
+    check = at_least_as(check, input.design->tables.reliability->target);
+  return {{"reliability", {not_checked(check, why)}, {}, ""}, Json()};
+}
+
+std::string in_one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+/// What `upbead reliability` says of the file. It is a program of its own, as it alone loads OpenTURNS; its files go
+/// into a folder below the sheet's.
+Done chances_part(const CaseOptions& options, const SheetInput& input, const OutputFolder& folder) {
+  if (!input.asked.waves)
+    return no_chances(input, "no [waves.NAME]: [reliability] asks how often one of them fails the section by formulas");
+  // below a folder that no process has locked: that of the sheet is, and the child waits for its turn in the one above
+  const std::string made = folder.path(chances_folder + "/made/summary.json");
+  const std::filesystem::path out = std::filesystem::path(made).parent_path();
+  std::vector<std::string> words{"reliability", options.file, "--out", out.string()};
+  for (const std::string& one : options.overrides) append(words, {"--set", one});
+  const ChildEnd end = run_child("upbead-reliability", words, "probability of failure");
+  if (end.code != 0) {
+    std::filesystem::remove_all(out.parent_path());
+    return no_chances(
+        input, "'upbead reliability' ended with code " + std::to_string(end.code) + ": " + in_one_line(end.told));
+  }
+  std::ifstream file(made);
+  const Json summary = Json::parse(file);
+  std::filesystem::remove_all(out);
+  folder.write(chances_folder + "/summary.json", json_text(summary));
+  folder.write(chances_folder + "/case.toml", effective_design(*input.design, folder.name() + "/" + chances_folder));
+  return {{"reliability", checks_in(summary), warnings_in(summary), ""}, summary};
+}
+
 int work(const CaseOptions& options) {
   const SheetInput input = read_input(options);
   if (input.scene) {
@@ -194,14 +237,18 @@ int work(const CaseOptions& options) {
   const std::string out = options.out.empty() ? "results/" + input.stem + "-sheet" : options.out;
   std::vector<InputFile> files = input.scene ? input_files(*input.scene) : std::vector<InputFile>();
   if (input.design) append(files, input_files(*input.design));
-  require_inputs_kept(out, {"summary.json", "sheet.md", "case.toml", "results.h5", "reduced.h5"}, files);
+  require_inputs_kept(out,
+                      {"summary.json", "sheet.md", "case.toml", "results.h5", "reduced.h5",
+                       chances_folder + "/summary.json", chances_folder + "/case.toml"},
+                      files);
   OutputFolder folder(out);
   const Done waves = waves_part(input);
   const SolvedScene solved = run_part(input, folder);
-  const std::vector<Done> parts{waves, solved.done, expected_part(input, solved, folder)};
+  std::vector<Done> parts{waves, solved.done, expected_part(input, solved, folder)};
+  if (input.asked.chances) parts.push_back(chances_part(options, input, folder));
   const Limits& limits = input.scene ? input.scene->scene.limits : input.design->tables.limits;
-  std::vector<SheetPart> told{parts[0].part, parts[1].part, parts[2].part};
-  if (input.asked.chances) told.push_back(no_part("reliability", not_by_sheet).part);
+  std::vector<SheetPart> told;
+  for (const Done& done : parts) told.push_back(done.part);
   const Sheet sheet = sheet_of(input.title, std::move(told), limits);
   Json json = to_json(sheet);
   for (const Done& done : parts) json[done.part.name] = done.summary;
@@ -212,13 +259,14 @@ int work(const CaseOptions& options) {
                             : !input.scene ? effective_design(*input.design, folder.name())
                                            : effective_file(*input.scene, *input.design, folder.name()));
   check_interrupt();
-  folder.commit({"results.h5", "reduced.h5"});
+  const bool has_chances = input.asked.chances && !parts.back().summary.is_null();
+  folder.commit({"results.h5", "reduced.h5", chances_folder + "/summary.json", chances_folder + "/case.toml"});
   for (const Done& done : parts) std::cerr << describe(done.part.warnings);
-  std::cout << (options.json
-                    ? text
-                    : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
-                          (input.asked.run ? ", results.h5" : "") +
-                          (std::filesystem::exists(folder.name() + "/reduced.h5") ? ", reduced.h5}\n" : "}\n"));
+  std::cout << (options.json ? text
+                             : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
+                                   (input.asked.run ? ", results.h5" : "") +
+                                   (std::filesystem::exists(folder.name() + "/reduced.h5") ? ", reduced.h5" : "") +
+                                   (has_chances ? ", " + chances_folder + "/}\n" : "}\n"));
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/text.h"
 #include "design/reliability_table.h"
 
 namespace upbead {
@@ -71,33 +72,25 @@ TableSchema<SystemNode> system_schema() {
 TableSchema<ReliabilityTargets> targets_schema() {
   using T = ReliabilityTargets;
   const Range share = between(0., 1.), index = from_to(-5., 10.);
+  const std::string recalled = "; assumed: Japanese standard of 2007, importance normal, from memory";
+  const std::string annex = "; assumed: EN 1990 Annex B, class RC2, from memory";
+  const std::string pianc = "; assumed: PIANC WG 28, ultimate limit state, safety class normal, from memory";
   TableSchema<T> table;
-  const auto exceed = [&](const char* name, double T::*member, const char* limit) {
-    table.key(name, member)
-        .range(share)
-        .doc("most probability that S of a life exceeds " + std::string(limit) +
-             "; assumed: Japanese standard of 2007, importance normal, from memory");
+  const auto declare = [&table](const char* name, std::optional<double> T::*member, const char* unit,
+                                const Range& range, const std::string& meaning) {
+    table.key(name, member, unit, meaning)
+        .range(range)
+        .fallback(significant(*(assumed_targets.*member), 3) + ", told and not judged");
   };
-  exceed("exceed_0_1", &T::exceed_0_1, "0.1 m");
-  exceed("exceed_0_3", &T::exceed_0_3, "0.3 m");
-  exceed("exceed_1_0", &T::exceed_1_0, "1.0 m");
-  table
-      .key("expected_sliding", &T::expected_sliding, "m",
-           "most expected sliding distance of a life; Shimosako and Takahashi (1998)")
-      .range(above(0.));
-  table
-      .key("pianc_life", &T::pianc_life, "",
-           "most probability of failure in a life; assumed: PIANC WG 28, ultimate limit state, safety class normal, "
-           "from memory")
-      .range(share);
-  table
-      .key("eurocode_year", &T::eurocode_year, "",
-           "least beta of a year; assumed: EN 1990 Annex B, class RC2, from memory")
-      .range(index);
-  table
-      .key("eurocode_life", &T::eurocode_life, "",
-           "least beta of a life of 50 years; assumed: EN 1990 Annex B, class RC2, from memory")
-      .range(index);
+  const std::string exceed = "most probability that S of a life exceeds ";
+  declare("exceed_0_1", &T::exceed_0_1, "", share, exceed + "0.1 m" + recalled);
+  declare("exceed_0_3", &T::exceed_0_3, "", share, exceed + "0.3 m" + recalled);
+  declare("exceed_1_0", &T::exceed_1_0, "", share, exceed + "1.0 m" + recalled);
+  declare("expected_sliding", &T::expected_sliding, "m", above(0.),
+          "most expected sliding distance of a life; Shimosako and Takahashi (1998)");
+  declare("pianc_life", &T::pianc_life, "", share, "most probability of failure in a life" + pianc);
+  declare("eurocode_year", &T::eurocode_year, "", index, "least beta of a year" + annex);
+  declare("eurocode_life", &T::eurocode_life, "", index, "least beta of a life of 50 years" + annex);
   return table;
 }
 
@@ -115,6 +108,13 @@ void declare_work(TableSchema<ReliabilityTable>& table) {
 }
 
 }  // namespace
+
+std::string word_of(RandomKind kind) {
+  return std::find_if(random_words.begin(), random_words.end(), [kind](const auto& row) { return row.second == kind; })
+      ->first;
+}
+
+const ReliabilityTargets assumed_targets{0.30, 0.10, 0.05, 0.30, 0.05, 4.7, 3.8};
 
 const std::vector<std::string> reliability_methods{"form", "sorm", "importance", "subset", "plain"};
 
@@ -134,7 +134,8 @@ TableSchema<ReliabilityTable> reliability_schema() {
       .doc("Dependence of two variables, by any name; variables without one are independent.");
   table.tables("system", &R::system, system_schema())
       .doc("A fault tree, each of its gates by its name; without one the system fails where any limit state fails.");
-  table.table("targets", &R::targets, targets_schema()).doc("What codes ask for; most defaults are assumed.");
+  table.table("targets", &R::targets, targets_schema())
+      .doc("What codes ask for: those that the file gives are judged; most defaults are assumed.");
   return table;
 }
 

@@ -29,6 +29,9 @@ inline void visit_value(const KeyInfo&, const std::string&, NameList&, const Num
 
 enum class RandomKind { normal, lognormal, gumbel, weibull, uniform, triangular };
 
+/// The word of a file for it.
+std::string word_of(RandomKind kind);
+
 /// [reliability.variables.NAME]: a random variable, for one occasion. Mean and deviation are those of the whole
 /// distribution, before its ends are cut.
 struct RandomVariable {
@@ -52,16 +55,18 @@ struct SystemNode {
   std::optional<NameList> any, all;  ///< one of them: limit states and other systems
 };
 
-/// [reliability.targets]: what codes ask for. All defaults are assumed: known from memory, not looked up in the codes.
+/// [reliability.targets]: what codes ask for; none: that of `assumed_targets`.
 struct ReliabilityTargets {
-  double exceed_0_1 = 0.30;  ///< of S over 50 years, Japanese standard of 2007, importance "normal"
-  double exceed_0_3 = 0.10;
-  double exceed_1_0 = 0.05;
-  double expected_sliding = 0.30;  ///< m, Shimosako and Takahashi (1998)
-  double pianc_life = 0.05;        ///< probability of the ultimate limit state, PIANC WG 28, safety class "normal"
-  double eurocode_year = 4.7;      ///< beta, EN 1990 Annex B, class RC2
-  double eurocode_life = 3.8;      ///< beta over 50 years, likewise
+  std::optional<double> exceed_0_1, exceed_0_3, exceed_1_0;  ///< of S over 50 years
+  std::optional<double> expected_sliding;                    ///< m
+  std::optional<double> pianc_life;                          ///< probability
+  std::optional<double> eurocode_year, eurocode_life;        ///< beta
 };
+
+/// Known from memory, and not looked up in the codes but for expected_sliding: Japanese standard of 2007, importance
+/// "normal" (0.30, 0.10, 0.05); Shimosako and Takahashi (1998) (0.30 m); PIANC WG 28, ultimate limit state, safety
+/// class "normal" (0.05); EN 1990 Annex B, class RC2 (4.7 in a year, 3.8 in 50 years).
+extern const ReliabilityTargets assumed_targets;
 
 /// [reliability].
 struct ReliabilityTable {

@@ -13,7 +13,7 @@ struct OutputRow;
 
 /// What one command says of the section.
 struct SheetPart {
-  std::string name;  ///< "waves", "run", "expected"
+  std::string name;  ///< "waves", "run", "expected", "reliability"
   Checks checks;
   NumberedWarnings warnings;
   std::string why_not;  ///< the file does not ask for it; "" where it was done

@@ -28,6 +28,8 @@ Compared compared(const Check& check) {
   if (check.balance) {
     c.demand = number(check, check.balance->acting, check.balance->unit);
     c.capacity = number(check, check.balance->resisting, check.balance->unit);
+  } else if (check.probability) {
+    c.demand = "P " + significant(*check.probability, 3);
   } else if (!factor) {
     c.demand = check.demand ? number(check, *check.demand, "") : "without bound";
     c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
@@ -121,7 +123,7 @@ OutputSchema<SheetRow> row_outputs() {
   using R = SheetRow;
   return OutputSchema<R>()
       .key("part", &R::part, "",
-           "the command that made the check: waves, run or expected; limits: none judges that limit")
+           "the command that made the check: waves, run, expected or reliability; limits: none judges that limit")
       .key("governs", &R::governs, "", "whether it is the worst of its way to fail")
       .keys_of(&R::check, check_outputs());
 }

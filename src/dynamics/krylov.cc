@@ -48,8 +48,7 @@ FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::v
   constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
   const Vector weight = norm_weight(T, system);
   FieldBases bases;
-  for (int i = 0; i < system.size(); ++i)
-    (is_phi(system, i) ? bases.phi : bases.displacements).unknown.push_back(i);
+  for (int i = 0; i < system.size(); ++i) (is_phi(system, i) ? bases.phi : bases.displacements).unknown.push_back(i);
   for (FieldBasis* basis : {&bases.displacements, &bases.phi}) {
     basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
     for (std::size_t i = 0; i < basis->unknown.size(); ++i)

@@ -21,7 +21,7 @@ struct SnapshotOptions {
   std::vector<int> exact;  ///< see SecondOrderKrylov
   int vectors = 60;        ///< per independent load
   std::vector<std::complex<double>> frequencies;
-  Eigen::MatrixXd weights;                ///< of each load (row) at each frequency (column)
+  Eigen::MatrixXd weights;                 ///< of each load (row) at each frequency (column)
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
 

@@ -211,7 +211,8 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
   for (const auto& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && is_own(cell->active_cell_index())) assembly.expect(dofs_of(cell));
-  for_each_face(scene, space, unknowns, interface, {expect, expect, [](const WetFace&, const FaceTerms&) {}, share.materials_alone});
+  for_each_face(scene, space, unknowns, interface,
+                {expect, expect, [](const WetFace&, const FaceTerms&) {}, share.materials_alone});
   if (adds_bodies) assembly.expect(bodies);
 
   assembly.begin();

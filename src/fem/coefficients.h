@@ -9,20 +9,20 @@ namespace upbead {
 
 /// Each multiplies terms of its own, see kernels.h and sides.h. Rayleigh damping is a product: its parts count.
 enum class Coefficient {
-  G,                   ///< K: 2 G eps:eps
-  lambda,              ///< K: lambda (div u)^2
-  rho,                 ///< M
-  a,                   ///< M of W
-  b,                   ///< C of W
-  mobility,            ///< C: grad phi of darcy flow, and open sides of both flows
-  alpha,               ///< C: div u phi
-  storage,             ///< M of phi
-  mass_damping_rho,    ///< C: Rayleigh's factor of M times rho
-  stiffness_damping_G, ///< C: Rayleigh's factor of K times G, and times lambda
+  G,                    ///< K: 2 G eps:eps
+  lambda,               ///< K: lambda (div u)^2
+  rho,                  ///< M
+  a,                    ///< M of W
+  b,                    ///< C of W
+  mobility,             ///< C: grad phi of darcy flow, and open sides of both flows
+  alpha,                ///< C: div u phi
+  storage,              ///< M of phi
+  mass_damping_rho,     ///< C: Rayleigh's factor of M times rho
+  stiffness_damping_G,  ///< C: Rayleigh's factor of K times G, and times lambda
   stiffness_damping_lambda,
-  sealed_normal,       ///< C: sides whose pores are sealed, see Impedance
+  sealed_normal,  ///< C: sides whose pores are sealed, see Impedance
   sealed_tangential,
-  open_normal,         ///< C: sides that absorb pressure, too
+  open_normal,  ///< C: sides that absorb pressure, too
   open_tangential,
   open_coupling,
   open_mobility,

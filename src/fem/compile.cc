@@ -53,8 +53,7 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
-    if (whole && is_deformable(bodies))
-      compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
+    if (whole && is_deformable(bodies)) compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
                                        uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);

@@ -41,9 +41,7 @@ Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
 }  // namespace
 
 Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent, const SoilState& soil)
-    : mesh_(&mesh),
-      degree_(scene.mesh.degree),
-      by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()) {
+    : mesh_(&mesh), degree_(scene.mesh.degree), by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()) {
   const auto constants = [&scene](const Region& r) { return upbead::material(r, scene.fluid, scene.gravity); };
   for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   if (by_cell_)

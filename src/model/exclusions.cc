@@ -102,17 +102,15 @@ const Feature cycles{"cycles of a storm", [](const Scene& s) { return when(s.cyc
 const Feature liquefaction{"momentary liquefaction", [](const Scene& s) {
                              return when(s.limits.liquefaction.has_value(), "limits.liquefaction");
                            }};
-const Feature peak_safety{"strength at the peak", [](const Scene& s) {
-                            return when(s.limits.peak_safety.has_value(), "limits.peak_safety");
-                          }};
+const Feature peak_safety{"strength at the peak",
+                          [](const Scene& s) { return when(s.limits.peak_safety.has_value(), "limits.peak_safety"); }};
 const Feature own_mesh_error{"an estimate of the mesh error",
                              [](const Scene& s) { return when(s.accuracy.estimate, "accuracy.estimate"); }};
 const Feature adapted{"a mesh for the tolerance", [](const Scene& s) { return when(!s.mesh.refine, "mesh.refine"); }};
-const Feature march_by_name{"a march by name", [](const Scene& s) {
-                              return when(s.time.scheme != TimeScheme::automatic &&
-                                              s.time.scheme != TimeScheme::reduced,
-                                          "time.scheme");
-                            }};
+const Feature march_by_name{
+    "a march by name", [](const Scene& s) {
+      return when(s.time.scheme != TimeScheme::automatic && s.time.scheme != TimeScheme::reduced, "time.scheme");
+    }};
 const Feature shaking{"a base that is shaken", [](const Scene& s) {
                         Keys keys;
                         for (const auto& [name, load] : s.loads)
@@ -122,7 +120,8 @@ const Feature shaking{"a base that is shaken", [](const Scene& s) {
 const Feature volume_load{"gravity or a source of water as a load", [](const Scene& s) {
                             Keys keys;
                             for (const auto& [name, load] : s.loads)
-                              if (load.factor != 0. && is_on_volume(load.kind)) keys.push_back("loads." + name + ".kind");
+                              if (load.factor != 0. && is_on_volume(load.kind))
+                                keys.push_back("loads." + name + ".kind");
                             return keys;
                           }};
 
@@ -130,10 +129,14 @@ const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
                            return when(s.initial && s.initial->harbour_level, "initial.harbour_level");
                          }};
 
-constexpr std::array way_names{"`time.scheme = \"reduced\"`", "`time.scheme = \"generalised_alpha\"`",
-                               "`mesh.refine = \"auto\"`",    "`upbead reduce`",
-                               "one model for every soil",    "several processes",
-                               "`--checkpoint`",              "contact node by node",
+constexpr std::array way_names{"`time.scheme = \"reduced\"`",
+                               "`time.scheme = \"generalised_alpha\"`",
+                               "`mesh.refine = \"auto\"`",
+                               "`upbead reduce`",
+                               "one model for every soil",
+                               "several processes",
+                               "`--checkpoint`",
+                               "contact node by node",
                                "consolidation"};
 
 constexpr const char* no_waves = "without inertia (time.inertia = false) there are no waves to absorb";

@@ -23,7 +23,8 @@ constexpr const char* mode_words[] = {"strength of the ground",
                                       "heel pressure",
                                       "toe pressure",
                                       "settlement",
-                                      "tilt"};
+                                      "tilt",
+                                      "failure over the life"};
 static_assert(std::size(mode_words) == static_cast<std::size_t>(FailureMode::other));
 
 }  // namespace
@@ -118,7 +119,8 @@ std::string text_of(const Check& check) {
   std::string text = name_of(check) + ": " +
                      (check.demand     ? number_of(check, *check.demand)
                       : check.at_least ? "not found"
-                                       : "without bound");
+                                       : "without bound") +
+                     (check.probability ? " (probability " + significant(*check.probability, 3) + ")" : "");
   if (!check.capacity) return text + ", no limit given";
   text += (check.at_least ? " against at least " : " against ") + number_of(check, *check.capacity) + ": " +
           (*check.holds ? "holds" : "DOES NOT HOLD");
@@ -181,7 +183,9 @@ OutputSchema<Check> check_outputs() {
       .key("mode", mode_of, "", "the way to fail that it is about")
       .reason("limit", &C::limit, "key of `[limits]` that it is held to, given or not; null where none is made for it")
       .key("by", &C::by, "",
-           "the route: `formulas` (Goda's, and of the standing wave), `dynamics` (of the solved scene), or `statics`")
+           "the route: `formulas` (Goda's, and of the standing wave), `dynamics` (of the solved scene), or `statics`; "
+           "of a "
+           "probability the method that found it, as `form`")
       .reason("wave", &C::wave, "the wave, or load by a wave, that demands it; null: all loads of the scene")
       .reason("level", &C::level, "level of still water at which it is worst; null without `[levels]`")
       .key("unit", &C::unit, "", "of demand and capacity")
@@ -195,10 +199,16 @@ OutputSchema<Check> check_outputs() {
                   .key("unit", &Balance::unit, "", "of both"),
               "of a demand that is a factor of safety: what it compares")
       .or_left_out()
+      .key("probability", &C::probability, "", "of failure, of a demand that is a reliability index")
+      .or_left_out()
       .key("margin", &C::margin, "",
            "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
            "without a capacity, or where nothing is demanded")
       .key("holds", &C::holds, "", "whether it holds; null without a capacity, and where it was not checked")
+      .key(
+          "at_least", [](const C& c) { return c.at_least ? std::optional(true) : std::nullopt; }, "",
+          "true where the demand must not fall below the capacity; left out where it must not exceed it")
+      .or_left_out()
       .key("measure", &C::measure, "", "the key of the summary with the demand")
       .reason("assumption", &C::assumption, "assumption that the check rests on; null where there is none")
       .reason("why_not", &C::why_not, "why it was not checked; null where it was")

@@ -49,6 +49,7 @@ struct CodeRow {
   std::string code, what, unit;
   std::optional<double> value, target;
   bool at_least = false;  ///< the value must not fall below the target
+  bool given = false;     ///< the file itself gives the target, and no assumed default does
   std::string source;     ///< of the target
   std::string why_not;    ///< there is no value
   std::optional<bool> holds() const;
@@ -80,9 +81,14 @@ std::vector<std::string> limit_state_names();
 /// The sheets of codes. With [life], S of whole lives by Monte Carlo as in `upbead expected`.
 std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer);
 
+/// Checks what `reliability` needs: variables, methods, the wave, the fault tree, and lives where they are asked for.
+void check_random(const DesignTables& tables, const Document& document, Diagnostics& report);
+
 /// The answer of all. Throws NumericsError where Goda's formulas do not accept what the variables reach.
 ReliabilityAnswer find_reliability(const Design& design);
 
+/// The index of the life of the system against `target`, then of all other modes, then the demands of codes that the
+/// file itself gives.
 Checks checks_of(const Design& design, const ReliabilityAnswer& answer);
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer);
 std::string text_of(const Design& design, const ReliabilityAnswer& answer);
@@ -90,5 +96,10 @@ std::string text_of(const Design& design, const ReliabilityAnswer& answer);
 std::string to_json(const Design& design, const ReliabilityAnswer& answer);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_reliability();
+
+/// Checks and warnings of a summary.json that another process has written: those of checks_of() and warnings_of()
+/// there.
+Checks checks_in(const Json& summary);
+NumberedWarnings warnings_in(const Json& summary);
 
 }  // namespace upbead

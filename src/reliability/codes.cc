@@ -10,29 +10,32 @@ namespace {
 
 const char* const japanese = "Japan";
 
+using Target = std::optional<double> ReliabilityTargets::*;
+
+/// A row with its target: that of the file, or the assumed one, whose source is told.
+CodeRow row_with(const Design& design, const std::string& code, const std::string& what, Target target,
+                 const std::string& source) {
+  CodeRow row;
+  row.code = code;
+  row.what = what;
+  const std::optional<double>& given = design.tables.reliability->targets.*target;
+  row.given = given.has_value();
+  row.target = row.given ? given : assumed_targets.*target;
+  row.source = row.given ? "given by the file" : source;
+  return row;
+}
+
 /// S of whole lives, where the design asks for them.
 std::vector<CodeRow> rows_of_lives(const Design& design) {
-  const ReliabilityTargets& targets = design.tables.reliability->targets;
+  using T = ReliabilityTargets;
   std::vector<CodeRow> rows;
-  const std::string source = "assumed: Japanese standard of 2007, importance normal";
   for (const auto& [limit, target] :
-       {std::pair(0.1, targets.exceed_0_1), std::pair(0.3, targets.exceed_0_3), std::pair(1., targets.exceed_1_0)})
-    rows.push_back({japanese,
-                    "S of all waves of a life above " + significant(limit, 3) + " m",
-                    "",
-                    {},
-                    target,
-                    false,
-                    source,
-                    ""});
-  rows.push_back({japanese,
-                  "expected sliding distance of a life",
-                  "m",
-                  {},
-                  targets.expected_sliding,
-                  false,
-                  "Shimosako and Takahashi (1998)",
-                  ""});
+       {std::pair(0.1, &T::exceed_0_1), std::pair(0.3, &T::exceed_0_3), std::pair(1., &T::exceed_1_0)})
+    rows.push_back(row_with(design, japanese, "S of all waves of a life above " + significant(limit, 3) + " m", target,
+                            "assumed: Japanese standard of 2007, importance normal"));
+  rows.push_back(row_with(design, japanese, "expected sliding distance of a life", &T::expected_sliding,
+                          "Shimosako and Takahashi (1998)"));
+  rows.back().unit = "m";
   if (!design.tables.life) {
     for (CodeRow& row : rows) row.why_not = "no [life]: S of whole lives is that of `upbead expected`";
     return rows;
@@ -46,7 +49,10 @@ std::vector<CodeRow> rows_of_lives(const Design& design) {
 /// One wave alone: no more than S of all waves of that life.
 CodeRow row_of_wave(const ReliabilityAnswer& answer, const std::string& mode, const std::string& limit) {
   const ModeAnswer& found = mode_of(answer, mode);
-  CodeRow row{japanese, "S of one wave of a life above " + limit, "", found.life.probability, {}, false, "", ""};
+  CodeRow row;
+  row.code = japanese;
+  row.what = "S of one wave of a life above " + limit;
+  row.value = found.life.probability;
   row.why_not = row.value ? "" : found.why_not;
   return row;
 }
@@ -54,20 +60,27 @@ CodeRow row_of_wave(const ReliabilityAnswer& answer, const std::string& mode, co
 }  // namespace
 
 std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer) {
-  const ReliabilityTargets& targets = design.tables.reliability->targets;
+  using T = ReliabilityTargets;
   std::vector<CodeRow> rows = rows_of_lives(design);
   rows.push_back(row_of_wave(answer, "sliding_0_1", "0.1 m"));
   rows.push_back(row_of_wave(answer, "sliding_0_3", "0.3 m"));
   rows.push_back(row_of_wave(answer, "sliding_1_0", "1 m"));
   const ModeAnswer& system = mode_of(answer, answer.system);
   const std::string of = "of the system " + system.name + words_of_left_out(answer);
+  const auto add = [&](CodeRow row, const std::optional<double>& value) {
+    row.value = value;
+    row.why_not = system.why_not;
+    rows.push_back(row);
+  };
   const std::string annex = "assumed: EN 1990 Annex B, class RC2";
-  rows.push_back({"PIANC WG 28", "probability " + of + " in a life", "", system.life.probability, targets.pianc_life,
-                  false, "assumed: ultimate limit state, safety class normal", system.why_not});
-  rows.push_back({"Eurocode", "beta " + of + " in a year", "", system.year.index, targets.eurocode_year, true, annex,
-                  system.why_not});
-  rows.push_back({"Eurocode", "beta " + of + " in a life", "", system.life.index, targets.eurocode_life, true, annex,
-                  system.why_not});
+  add(row_with(design, "PIANC WG 28", "probability " + of + " in a life", &T::pianc_life,
+               "assumed: ultimate limit state, safety class normal"),
+      system.life.probability);
+  CodeRow year = row_with(design, "Eurocode", "beta " + of + " in a year", &T::eurocode_year, annex);
+  CodeRow life = row_with(design, "Eurocode", "beta " + of + " in a life", &T::eurocode_life, annex);
+  year.at_least = life.at_least = true;
+  add(year, system.year.index);
+  add(life, system.life.index);
   return rows;
 }
 

@@ -165,18 +165,6 @@ std::string text_of(const Design& design, const ReliabilityAnswer& answer) {
   return text + "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
-Checks checks_of(const Design& design, const ReliabilityAnswer& answer) {
-  const ModeAnswer& system = mode_of(answer, answer.system);
-  Check check = check_of(FailureMode::other, "reliability index of the life", "", system.life.index,
-                         "modes." + system.name + ".life.index",
-                         "occasions are independent of each other" + words_of_left_out(answer) +
-                             (answer.left_out.empty() ? "" : ": at most this index"));
-  check.by = "formulas";
-  check.wave = answer.wave;
-  if (!system.life.index) return {not_checked(check, system.why_not.empty() ? "its probability is 1" : system.why_not)};
-  return {at_least_as(check, design.tables.reliability->target)};
-}
-
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
   append(list, answer.variables);

@@ -20,7 +20,8 @@ using OfRegions = std::map<std::string, Coefficients>;
 
 /// What a region decides by its numbers.
 bool same_choices(const Region& a, const Region& b) {
-  return a.kind == b.kind && a.flow == b.flow && a.deformation == b.deformation && a.compressibility == b.compressibility;
+  return a.kind == b.kind && a.flow == b.flow && a.deformation == b.deformation &&
+         a.compressibility == b.compressibility;
 }
 
 void add_varied(const OfRegions& one, const OfRegions& other, std::map<std::string, Varied>& varied) {
@@ -50,8 +51,7 @@ AffineScene affine_of(const Simulation& first, const std::vector<Scene>& soils, 
 void require_sum(const AffineScene& affine, const Scene& soil, const Simulation& first, bool slips) {
   const AssembledScene assembled = assemble_scene(soil, *first.mesh(), first.absent(), {}, slips);
   const System summed = affine.at(affine.factors(coefficients_of(soil))).system;
-  const double far =
-      distance(slips ? slip_system(*assembled.compiled).system : assembled.compiled->system, summed);
+  const double far = distance(slips ? slip_system(*assembled.compiled).system : assembled.compiled->system, summed);
   if (!(far <= tolerable_distance))
     throw NumericsError("the equations of these soils are no sum of parts: they differ by " + significant(far, 2));
 }
@@ -64,7 +64,8 @@ bool wants_slip(const Simulation& first) {
 
 std::map<std::string, Coefficients> coefficients_of(const Scene& resolved) {
   OfRegions all;
-  for (const auto& [name, region] : resolved.regions) all[name] = coefficients(region, resolved.fluid, resolved.gravity);
+  for (const auto& [name, region] : resolved.regions)
+    all[name] = coefficients(region, resolved.fluid, resolved.gravity);
   return all;
 }
 
@@ -123,9 +124,8 @@ Simulation SoilModel::member(const Scene& given) const {
   parts.unknowns = first_.unknowns();
   parts.compiled = std::make_shared<const CompiledScene>(with_courses(*first_.compiled(), parts.scene));
   const Factors factors = AffineScene{{}, terms_, {}}.factors(coefficients_of(parts.scene));
-  SoilMember member{with_courses(made_.family.at(factors), parts.scene),
-                    family_error(made_.family, parts.scene, factors),
-                    {}};
+  SoilMember member{
+      with_courses(made_.family.at(factors), parts.scene), family_error(made_.family, parts.scene, factors), {}};
   if (made_.family.slipping && parts.scene.sliding) {
     member.slip = made_.family.slips_at(factors);
     for (std::size_t k = 0; k < member.compiled.system.loads.size(); ++k)

@@ -38,9 +38,9 @@ struct SoilModelOptions {
 /// A case's scene, its System as a sum over its soils, and one basis for all of them.
 class SoilModel {
  public:
-  /// `first`: assembled with all cells; `soils`: scenes as given, on the same mesh, that differ in soils alone. They are
-  /// the candidates for points of the basis and say which constants vary. Throws InputError where one is no member, and
-  /// NumericsError where the sum does not equal an assembled System, or a soil cannot be reduced.
+  /// `first`: assembled with all cells; `soils`: scenes as given, on the same mesh, that differ in soils alone. They
+  /// are the candidates for points of the basis and say which constants vary. Throws InputError where one is no member,
+  /// and NumericsError where the sum does not equal an assembled System, or a soil cannot be reduced.
   SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options);
 
   /// The scene as a member: what is solved in place of its System, and the error that it brings. Throws InputError as

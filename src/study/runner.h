@@ -16,13 +16,16 @@ namespace upbead {
 /// Keeps the stages of the run before: its mesh, its System, the basis of its reduced model, its Solution. A run enters
 /// at the last stage whose own inputs are the same, and makes the later ones. What is kept equals what the run would
 /// have made for itself, so every number is the same to the last bit, whatever ran before. What a stage depends on:
-/// mesh and Solution in runner.cc, System in fem/system_scene.h, basis in dynamics/basis.h. Many soils have one model, whose
-/// answers differ from a run's own by what they tell, `reduction.error_of_soils`.
+/// mesh and Solution in runner.cc, System in fem/system_scene.h, basis in dynamics/basis.h. Many soils have one model,
+/// whose answers differ from a run's own by what they tell, `reduction.error_of_soils`.
 class Runner {
  public:
   /// `trusts_scripts`: see require_trust().
   Runner(const Study& study, bool sharing, bool trusts_scripts)
-      : study_(study), sharing_(sharing && study.share == StudyShare::all), trusts_scripts_(trusts_scripts), soils_(study) {}
+      : study_(study),
+        sharing_(sharing && study.share == StudyShare::all),
+        trusts_scripts_(trusts_scripts),
+        soils_(study) {}
   /// A run that fails says so in its result. `meanwhile` is called during the run. Throws Interrupted.
   RunResult run(int number, const std::function<void()>& meanwhile);
 

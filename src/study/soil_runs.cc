@@ -89,7 +89,8 @@ void SoilRuns::make(int group, const Case& problem, const std::shared_ptr<const 
     std::vector<Scene> soils;
     for (const int i : thinned(groups_[static_cast<std::size_t>(group)], most_candidates)) {
       const StudyRun& run = study_.runs[static_cast<std::size_t>(i)];
-      soils.push_back(scene_on(read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run)), *mesh));
+      soils.push_back(
+          scene_on(read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run)), *mesh));
     }
     SoilModelOptions options;
     options.tolerance = share_of_tolerance * problem.scene.tolerance;
@@ -109,15 +110,15 @@ std::optional<Simulation> SoilRuns::member(int run, const Case& problem, const s
     return std::find(group.begin(), group.end(), run) != group.end();
   });
   if (found == groups_.end()) return std::nullopt;
-  if (const int group = static_cast<int>(found - groups_.begin()); group != made_) make(group, problem, mesh, meanwhile);
+  if (const int group = static_cast<int>(found - groups_.begin()); group != made_)
+    make(group, problem, mesh, meanwhile);
   if (!model_) {
     why_not_ = why_no_model_;
     return std::nullopt;
   }
   try {
-    Simulation simulation = simulation_by(problem, mesh, [this](Scene scene, const std::shared_ptr<const Mesh>&) {
-      return model_->member(scene);
-    });
+    Simulation simulation = simulation_by(
+        problem, mesh, [this](Scene scene, const std::shared_ptr<const Mesh>&) { return model_->member(scene); });
     if (error_of_soils(simulation) <= problem.scene.tolerance) return simulation;
     why_not_ = "the estimate of its error by one model of all soils exceeds the tolerance";
   } catch (const InputError& error) {

@@ -36,7 +36,7 @@ struct Study {
   std::vector<std::string> units;  ///< of the keys; "" where there is none
   std::vector<std::string> reads;  ///< paths into summary.json
   StudyShare share = StudyShare::all;
-  bool summaries = false;          ///< whether the whole summary of each run is kept
+  bool summaries = false;  ///< whether the whole summary of each run is kept
   std::vector<StudyRun> runs;
   std::vector<InputFile> inputs;  ///< the study, its cases, all files that they name
   std::uint64_t fingerprint = 0;  ///< of the study, its cases, all files that they name, and the program's version

@@ -184,7 +184,9 @@ void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
 }  // namespace
 
 std::string study_csv(const Study& study, const Results& results) {
-  const bool several = study.cases.size() > 1, estimated = std::any_of(results.begin(), results.end(), [](const auto& r) { return r->error_estimate.has_value(); });
+  const bool several = study.cases.size() > 1,
+             estimated = std::any_of(results.begin(), results.end(),
+                                     [](const auto&r) { return r->error_estimate.has_value(); });
   std::string text = several ? "run,case" : "run";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);

@@ -190,7 +190,8 @@ TableSchema<StudyTables> study_schema() {
       .doc("whether to keep the whole summary.json of each run, as runs/NUMBER.json");
   table.choice("share", &StudyTables::share, share_words)
       .doc(
-          "what runs may take over from each other; all: each stage that is the same, and one model answers many soils, "
+          "what runs may take over from each other; all: each stage that is the same, and one model answers many "
+          "soils, "
           "each within its error_estimate; none: every run is meshed and solved anew");
   table.key("set", &StudyTables::set).doc("values that all runs have, by key of the case");
   table.tables("vary", &StudyTables::vary, vary_schema())

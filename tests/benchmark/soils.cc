@@ -74,20 +74,21 @@ int main(int argc, char** argv) {
     Scene other = scene;
     other.regions = soil;
     const AssembledScene made = assemble_scene(other, *s.mesh(), s.absent(), {}, false);
-    std::cout << "distance " << distance(made.compiled->system, affine.at(affine.factors(of_regions(scene, soil))).system)
-              << "\n";
+    std::cout << "distance "
+              << distance(made.compiled->system, affine.at(affine.factors(of_regions(scene, soil))).system) << "\n";
   }
   SoilFamilyOptions options;
   options.most_points = points;
   options.tolerance = tolerance;
   options.candidates.push_back(affine.factors(nominal));
-  for (int i = 0; i < 15; ++i) options.candidates.push_back(affine.factors(of_regions(scene, random_soil(scene.regions, rng, damped))));
+  for (int i = 0; i < 15; ++i)
+    options.candidates.push_back(affine.factors(of_regions(scene, random_soil(scene.regions, rng, damped))));
   watch = {};
   const SoilFamilyMade made = make_soil_family(scene, affine, *s.compiled(), options);
   int n_phi = 0;
   for (const bool p : made.family.reduced.fixed.is_phi) n_phi += p;
-  std::cout << "family of " << made.points.size() << " points, R = " << made.family.reduced.fixed.size() - n_phi << " + "
-            << n_phi << ", " << watch.seconds() << " s; estimates";
+  std::cout << "family of " << made.points.size() << " points, R = " << made.family.reduced.fixed.size() - n_phi
+            << " + " << n_phi << ", " << watch.seconds() << " s; estimates";
   for (const double e : made.estimates) std::cout << " " << e;
   std::cout << "\n";
   std::vector<double> errors, ratios, online;
@@ -126,12 +127,14 @@ int main(int argc, char** argv) {
   std::sort(online.begin(), online.end());
   const auto at = [n_truth](double p) { return static_cast<std::size_t>(p * (n_truth - 1)); };
   std::cout << "errors median " << errors[at(0.5)] << ", 95 % " << errors[at(0.95)] << ", largest " << errors.back()
-            << "; estimate over error: least " << ratios[0] << ", 5 % " << ratios[at(0.05)] << ", median " << ratios[at(0.5)]
-            << "; a soil " << online[at(0.5)] << " s, in full " << full / n_truth << " s\n";
+            << "; estimate over error: least " << ratios[0] << ", 5 % " << ratios[at(0.05)] << ", median "
+            << ratios[at(0.5)] << "; a soil " << online[at(0.5)] << " s, in full " << full / n_truth << " s\n";
   return 0;
 }
 
 }  // namespace
 }  // namespace upbead
 
-int main(int argc, char** argv) { return upbead::main(argc, argv); }
+int main(int argc, char** argv) {
+  return upbead::main(argc, argv);
+}

@@ -106,6 +106,25 @@ cov = 0.17
         self.assertIn("system_incomplete", names)
         self.assertIn("levels_not_used", names)
 
+    def test_a_life_that_fails_for_certain_misses_its_target(self):
+        found, done = self.summary(*QUICK, "--set", "reliability.variables.goda.mean=6", "--set", 'reliability.methods=["form"]')
+        self.assertEqual(found["modes"]["unusable"]["life"], {"probability": 1, "index": None})
+        check = found["checks"][0]
+        self.assertEqual((check["holds"], check["demand"], check["probability"]), (False, None, 1))
+        self.assertIs(found["verdict"]["holds"], False)
+        self.assertIn("not found (probability 1) against at least 2.38: DOES NOT HOLD", done.stdout)
+
+    def test_only_targets_of_the_file_are_judged(self):
+        assumed = self.summary(*QUICK)[0]
+        self.assertEqual(sum(row["holds"] is not None for row in assumed["checks"]), 1, "the target alone")
+        given = self.summary(*QUICK, "--set", "reliability.targets.eurocode_year=6", "--set", "reliability.targets.exceed_0_1=0.3")[0]
+        rows = {row["name"]: row["holds"] for row in given["checks"] if row["name"].startswith("reliability, ")}
+        self.assertEqual(rows, {"reliability, Eurocode: beta of the system unusable in a year": False,
+                                "reliability, Japan: S of all waves of a life above 0.1 m": True})
+        self.assertEqual({row["source"] for row in given["codes"] if row["target"] in (6, 0.3) and row["source"].startswith("given")},
+                         {"given by the file"})
+        self.assertEqual(given["verdict"]["failing"], 1)
+
     def test_a_system_fails_as_often_as_each_of_its_parts(self):
         text = DESIGN.read_text()
         bare = self.folder / "bare.toml"

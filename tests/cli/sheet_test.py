@@ -7,12 +7,33 @@ usage: sheet_test.py PROGRAM CASES_FOLDER
 """
 
 import json
+import os
+import pathlib
 import shutil
+import signal
 import subprocess
+import time
 
-from program import CASES, ProgramTest, main, upbead
+from program import CASES, PROGRAM, ProgramTest, main, upbead
 
 BONDED = ["--set", 'regions.caisson.interface.kind="bonded"']
+
+
+def children_named(name):
+    """Processes whose name, of which the system keeps 15 letters, is that."""
+    for path in pathlib.Path("/proc").glob("[0-9]*/comm"):
+        try:
+            if path.read_text().strip() == name:
+                yield int(path.parent.name)
+        except OSError:  # it has ended
+            continue
+
+
+def parent_of(pid):
+    try:
+        return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[1])
+    except OSError:
+        return None
 
 
 class Sheet(ProgramTest):
@@ -74,7 +95,7 @@ class Sheet(ProgramTest):
         self.assertEqual({len(row) for row in rows}, {len(head)}, "a column for each cell, also where it is empty")
         factor, required = ([cell.strip() for cell in head].index(name) for name in ("factor", "required"))
         for row, check in zip(rows, sheet["checks"]):
-            if check["unit"] == "" and check["demand"] is not None and check["capacity"] is not None and "share" not in check["name"]:
+            if check.get("at_least") and check["unit"] == "" and check["demand"] is not None and check["capacity"] is not None:
                 self.assertAlmostEqual(float(row[factor]) / check["demand"], 1, 2)
                 self.assertAlmostEqual(float(row[required]) / check["capacity"], 1, 2)
 
@@ -164,10 +185,100 @@ class Sheet(ProgramTest):
         self.assertEqual(sheet["verdict"]["unjudged"], len(limits))
         self.assertIn("limits that were not checked", sheet["verdict"]["text"])
 
-    def test_probabilities_that_are_asked_for_elsewhere_are_named(self):
-        done = upbead("sheet", CASES / "designer/reliability.toml", "--out", "out", cwd=self.folder)
+    CHANCES = ["--set", "reliability.samples=2000", "--set", 'reliability.methods=["form", "importance"]', "--set", "life.simulated_lives=100"]
+
+    def chances(self, command, *options, case=CASES / "designer/reliability.toml"):
+        done = upbead(command, case, *self.CHANCES, *options, "--out", command, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("reliability: [reliability] is asked for", done.stdout)
+        return json.loads((self.folder / command / "summary.json").read_text()), done
+
+    def test_probabilities_are_those_of_reliability(self):
+        given = ["--set", "reliability.targets.eurocode_life=3.8", "--set", "reliability.targets.pianc_life=0.05"]
+        sheet, done = self.chances("sheet", *given)
+        alone, _ = self.chances("reliability", *given)
+        rows = [row for row in sheet["checks"] if row["part"] == "reliability"]
+        by_name = lambda row: row["name"]
+        own = {"mode", "part", "governs"}
+        self.assertEqual(sorted(({k: v for k, v in row.items() if k not in own} for row in rows), key=by_name),
+                         sorted(alone["checks"], key=by_name))
+        self.assertEqual({row["mode"] for row in rows}, {"failure over the life"})
+        for name, mode in alone["modes"].items():  # each way to fail and each gate has its row
+            row = next(row for row in rows if row["measure"] == f"modes.{name}.life.index")
+            self.assertEqual((row["demand"], row.get("probability")), (mode["life"]["index"], mode["life"]["probability"]))
+            self.assertEqual(row["by"], mode["governing"] or "formulas")
+            self.assertEqual(row["why_not"] is None, mode["life"]["index"] is not None)
+            self.assertIn("distributions assumed by the file: friction lognormal, goda normal, height gumbel", row["assumption"])
+        self.assertEqual(sum(row["capacity"] is not None for row in rows), 3, "the target and both demands that the file gives")
+        self.assertEqual(sheet["reliability"]["modes"], alone["modes"])
+        self.assertEqual(sheet["parts"][3], {"name": "reliability", "why_not": None})
+        self.assertEqual({warning["text"] for warning in alone["warnings"]} - {warning["text"] for warning in sheet["warnings"]}, set())
+        self.assertEqual(json.loads((self.folder / "sheet/reliability/summary.json").read_text())["modes"], alone["modes"])
+        system = next(row for row in rows if row["name"] == "reliability index of the life")
+        self.assertRegex(done.stdout, rf"reliability index of the life, wave yearly\s+P {system['probability']:.3g} .*2.38 +holds +reliability, ")
+        self.check_markdown(sheet, (self.folder / "sheet/sheet.md").read_text())
+        self.check_document(sheet)
+
+    def test_a_target_that_is_missed_fails_the_sheet(self):
+        sheets = [self.chances("sheet", "--set", f"reliability.target={target}")[0] for target in (2.38, 9.0)]
+        held, missed = (sheet["verdict"] for sheet in sheets)
+        self.assertEqual(missed["failing"], held["failing"] + 1)
+        self.assertIs(missed["holds"], False)
+        row = next(row for row in sheets[1]["checks"] if row["name"] == "reliability index of the life")
+        self.assertEqual((row["holds"], row["capacity"], row["at_least"]), (False, 9.0, True))
+
+    def test_a_probability_that_is_not_found_stands_with_its_reason(self):
+        case = self.composite()  # a wave and no probability: as it was
+        done = upbead("sheet", case, "--out", "none", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sheet = json.loads((self.folder / "none/summary.json").read_text())
+        self.assertEqual([part["name"] for part in sheet["parts"]], ["waves", "run", "expected"])
+        self.assertNotIn("reliability", sheet)
+        self.assertFalse((self.folder / "none/reliability").exists())
+        design = (CASES / "designer/reliability.toml").read_text()
+        shutil.copy(CASES / "designer/storms.csv", self.folder)
+        without = self.folder / "without.toml"
+        without.write_text(design[: design.index("[waves.yearly]")] + design[design.index("[limits]") :])
+        done = upbead("sheet", without, "--out", "without", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sheet = json.loads((self.folder / "without/summary.json").read_text())
+        row = next(row for row in sheet["checks"] if row["part"] == "reliability")
+        self.assertIn("no [waves.NAME]", row["why_not"])
+        self.assertEqual((row["capacity"], row["holds"], sheet["verdict"]["unjudged"]), (2.38, None, 1))
+        wild = ["--set", "reliability.variables.weight.cov=0.5"]  # samples without weight, where formulas do not hold
+        sheet, _ = self.chances("sheet", *wild)
+        alone = upbead("reliability", CASES / "designer/reliability.toml", *self.CHANCES, *wild, "--out", "wild", cwd=self.folder)
+        rows = [row for row in sheet["checks"] if row["part"] == "reliability"]
+        if alone.returncode == 0:
+            self.assertEqual(len(rows), len(json.loads((self.folder / "wild/summary.json").read_text())["checks"]))
+        else:
+            self.assertIn(alone.stderr.strip().splitlines()[0], rows[0]["why_not"])
+            self.assertEqual(sheet["verdict"]["unjudged"], 1)
+
+    def test_mistakes_of_reliability_are_told_before_anything_is_done(self):
+        done = upbead("sheet", CASES / "designer/reliability.toml", "--set", 'reliability.methods=["forn"]', "--set", "section.width=-1",
+                      "--out", "bad", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        for word in ("there is no method 'forn'", "width = -1"):
+            self.assertIn(word, done.stderr)
+        self.assertFalse((self.folder / "bad").exists())
+
+    def test_an_interrupted_sheet_ends_its_child(self):
+        before = set(children_named("upbead-reliabil"))
+        plain = ["--set", 'reliability.methods=["plain"]', "--set", "reliability.plain_samples=100000000"]
+        sheet = subprocess.Popen([PROGRAM, "sheet", CASES / "designer/reliability.toml", *plain, "--out", "stopped"], cwd=self.folder,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        own = []
+        for _ in range(1200):
+            own = [pid for pid in set(children_named("upbead-reliabil")) - before if parent_of(pid) == sheet.pid]
+            if own or sheet.poll() is not None:
+                break
+            time.sleep(0.1)
+        self.assertTrue(own, "the sheet has a child that samples")
+        sheet.send_signal(signal.SIGTERM)
+        self.assertEqual(sheet.wait(60), 143)
+        sheet.stderr.close()
+        self.assertFalse(os.path.exists(f"/proc/{own[0]}"))
+        self.assertEqual(self.left_behind(), [])
 
     def test_run_and_waves_have_one_sliding_distance_by_formulas(self):
         case = self.composite("[duration]", "b = 1.0", "[combined]", "added_mass_factor = 0.5")

@@ -10,8 +10,8 @@ namespace upbead::test {
 namespace exclusions_test {
 
 constexpr Treatment ways[] = {Treatment::reduced_model,  Treatment::generalised_alpha, Treatment::adapted_mesh,
-                              Treatment::reduce_command, Treatment::soil_model,        Treatment::several_processes, Treatment::checkpoints,
-                              Treatment::contact,        Treatment::consolidation};
+                              Treatment::reduce_command, Treatment::soil_model,        Treatment::several_processes,
+                              Treatment::checkpoints,    Treatment::contact,           Treatment::consolidation};
 
 TEST(Exclusions, OfAPlainSceneAreNone) {
   Scene scene;

@@ -111,6 +111,8 @@ Summary full_summary() {
   s.periods = {{}};
   s.checks = {{}};
   s.checks.back().balance.emplace();
+  s.checks.back().probability = 0.1;
+  s.checks.back().at_least = true;
   s.circles.emplace().block.emplace();
   CyclesSummary& cycles = s.cycles.emplace();
   cycles.regions = {{}};

@@ -24,7 +24,8 @@ enum class FailureMode {
   toe_pressure,
   settlement,
   tilt,
-  other  ///< one of its own, called as the check
+  failure_of_life,  ///< by its probability
+  other             ///< one of its own, called as the check
 };
 
 /// What a factor of safety compares.
@@ -53,6 +54,7 @@ struct Check {
   std::string why_not;             ///< it was not checked; "" where it was
   bool at_least = false;           ///< whether the demand must not fall below the capacity
   std::optional<Balance> balance;  ///< of a demand that is a factor: what acts and what resists, where they are known
+  std::optional<double> probability;  ///< of a demand that is a reliability index: of failure
 };
 
 using Checks = std::vector<Check>;

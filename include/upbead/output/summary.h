@@ -160,11 +160,12 @@ struct ReductionSummary {
   int vectors = 0, modes = 0;
   double error = 0., error_peak = 0., error_of_others = 0.;
   std::optional<double> error_of_states;  ///< where fields or strengths were asked for, see energy_distance()
-  /// Estimated, of the history of F_T over its peak, where one model answers all soils; none where this soil was reduced.
+  /// Estimated, of the history of F_T over its peak, where one model answers all soils; none where this soil was
+  /// reduced.
   std::optional<double> error_of_soils;
-  double highest_frequency = 0.;          ///< up to which the transfer function of F_T has been checked
-  std::vector<InexactReading> inexact;    ///< readings other than F_T that do not meet their tolerance
-  double tolerance_of_others = 0.;        ///< of these readings
+  double highest_frequency = 0.;        ///< up to which the transfer function of F_T has been checked
+  std::vector<InexactReading> inexact;  ///< readings other than F_T that do not meet their tolerance
+  double tolerance_of_others = 0.;      ///< of these readings
 };
 
 /// Estimated errors of the peak of F_T, or of its history over the largest |F_T|, one for each source of error. Each
