@@ -94,6 +94,18 @@ const Feature absorbing_pores{"a side that absorbs waves of the water", [](const
                                 return absorbing(s, &Boundary::pressure, PressureCondition::absorbing, "pressure");
                               }};
 
+/// Keys of the loads that act and whose kind is one of those.
+Keys loads_of_kind(const Scene& scene, bool (*is_one)(LoadKind)) {
+  Keys keys;
+  for (const auto& [name, load] : scene.loads)
+    if (load.factor != 0. && is_one(load.kind)) keys.push_back("loads." + name + ".kind");
+  return keys;
+}
+
+bool is_march(TimeScheme scheme) {
+  return scheme != TimeScheme::automatic && scheme != TimeScheme::reduced;
+}
+
 const Feature by_stress{"stiffness that follows the stress at rest",
                         [](const Scene& s) { return in_regions(s, &Region::stress_law, "shear_modulus"); }};
 const Feature strength{"a strength of linear soil",
@@ -107,23 +119,11 @@ const Feature peak_safety{"strength at the peak",
 const Feature own_mesh_error{"an estimate of the mesh error",
                              [](const Scene& s) { return when(s.accuracy.estimate, "accuracy.estimate"); }};
 const Feature adapted{"a mesh for the tolerance", [](const Scene& s) { return when(!s.mesh.refine, "mesh.refine"); }};
-const Feature march_by_name{
-    "a march by name", [](const Scene& s) {
-      return when(s.time.scheme != TimeScheme::automatic && s.time.scheme != TimeScheme::reduced, "time.scheme");
-    }};
-const Feature shaking{"a base that is shaken", [](const Scene& s) {
-                        Keys keys;
-                        for (const auto& [name, load] : s.loads)
-                          if (load.factor != 0. && is_motion(load.kind)) keys.push_back("loads." + name + ".kind");
-                        return keys;
-                      }};
-const Feature volume_load{"gravity or a source of water as a load", [](const Scene& s) {
-                            Keys keys;
-                            for (const auto& [name, load] : s.loads)
-                              if (load.factor != 0. && is_on_volume(load.kind))
-                                keys.push_back("loads." + name + ".kind");
-                            return keys;
-                          }};
+const Feature march_by_name{"a march by name",
+                            [](const Scene& s) { return when(is_march(s.time.scheme), "time.scheme"); }};
+const Feature shaking{"a base that is shaken", [](const Scene& s) { return loads_of_kind(s, is_motion); }};
+const Feature volume_load{"gravity or a source of water as a load",
+                          [](const Scene& s) { return loads_of_kind(s, is_on_volume); }};
 
 const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
                            return when(s.initial && s.initial->harbour_level, "initial.harbour_level");
@@ -148,57 +148,68 @@ struct Row {
   const char* cure = "";
 };
 
+/// Of one model for every soil.
+std::vector<Row> rows_of_soils() {
+  return {{Treatment::soil_model, early_stop, "it keeps no account of energy to stop by"},
+          {Treatment::soil_model, consolidation, "it needs inertia"},
+          {Treatment::soil_model, contact, "it does not slip node by node"},
+          {Treatment::soil_model, strain, "stiffness cell by cell is no sum of a few parts"},
+          {Treatment::soil_model, by_stress, "stiffness cell by cell is no sum of a few parts"},
+          {Treatment::soil_model, yielding, "soil that yields is not linear"},
+          {Treatment::soil_model, shaking, "its parts would need loads of their own"},
+          {Treatment::soil_model, volume_load, "its parts would need loads of their own"},
+          {Treatment::soil_model, deforming_caisson, "its basis keeps the motions of a rigid caisson alone"},
+          {Treatment::soil_model, fields, "it holds readings alone"},
+          {Treatment::soil_model, strength, "it holds readings alone, and strength is compared everywhere"},
+          {Treatment::soil_model, cycles, "it holds readings alone"},
+          {Treatment::soil_model, liquefaction, "it holds readings alone"},
+          {Treatment::soil_model, peak_safety, "it holds readings alone"},
+          {Treatment::soil_model, own_mesh_error, "each soil would be solved on other meshes, too"},
+          {Treatment::soil_model, adapted, "each soil has a mesh of its own"},
+          {Treatment::soil_model, march_by_name, "it marches nothing"}};
+}
+
+std::vector<Row> rows_of_the_rest() {
+  return {{Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
+          {Treatment::reduced_model, consolidation, "it needs inertia"},
+          {Treatment::reduced_model, contact, "it does not slip node by node"},
+          {Treatment::reduced_model, yielding, "soil that yields has no modes"},
+          {Treatment::reduced_model, motion, "a motion that is prescribed is marched"},
+          {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
+          {Treatment::generalised_alpha, yielding, "soil that yields is marched by a scheme of its own"},
+          {Treatment::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
+          {Treatment::adapted_mesh, yielding, "its errors are those of linear soil"},
+          {Treatment::adapted_mesh, motion, "its errors are those of forces and pressures"},
+          {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
+          {Treatment::reduce_command, yielding, "soil that yields has no modes"},
+          {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
+          {Treatment::several_processes, by_reduced, "no reduced model is made"},
+          {Treatment::several_processes, early_stop, "no run stops early"},
+          {Treatment::several_processes, fields, "no fields are written"},
+          {Treatment::several_processes, contact, "no contact is solved"},
+          {Treatment::several_processes, strain, "soil does not follow its strain"},
+          {Treatment::several_processes, yielding, "no soil yields"},
+          {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
+          {Treatment::checkpoints, contact, "a run with contact keeps none"},
+          {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
+          {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
+           "give it kind = \"rigid\", or deformation = \"rigid\""},
+          {Treatment::contact, two_levels, "friction node by node begins without the shear of still water",
+           "write kind = \"bonded\", or give one level"},
+          {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
+           "write flow = \"auto\" or inertia = true"},
+          {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",
+           "remove the region, and give the water's pressure on bed and mound as a load"},
+          {Treatment::consolidation, absorbing_side, no_waves, "say \"roller\""},
+          {Treatment::consolidation, absorbing_pores, no_waves, "say \"sealed\""}};
+}
+
 const std::vector<Row>& rows() {
-  static const std::vector<Row> list{
-      {Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
-      {Treatment::reduced_model, consolidation, "it needs inertia"},
-      {Treatment::reduced_model, contact, "it does not slip node by node"},
-      {Treatment::reduced_model, yielding, "soil that yields has no modes"},
-      {Treatment::reduced_model, motion, "a motion that is prescribed is marched"},
-      {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
-      {Treatment::generalised_alpha, yielding, "soil that yields is marched by a scheme of its own"},
-      {Treatment::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
-      {Treatment::adapted_mesh, yielding, "its errors are those of linear soil"},
-      {Treatment::adapted_mesh, motion, "its errors are those of forces and pressures"},
-      {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
-      {Treatment::reduce_command, yielding, "soil that yields has no modes"},
-      {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-      {Treatment::soil_model, early_stop, "it keeps no account of energy to stop by"},
-      {Treatment::soil_model, consolidation, "it needs inertia"},
-      {Treatment::soil_model, contact, "it does not slip node by node"},
-      {Treatment::soil_model, strain, "stiffness cell by cell is no sum of a few parts"},
-      {Treatment::soil_model, by_stress, "stiffness cell by cell is no sum of a few parts"},
-      {Treatment::soil_model, yielding, "soil that yields is not linear"},
-      {Treatment::soil_model, shaking, "its parts would need loads of their own"},
-      {Treatment::soil_model, volume_load, "its parts would need loads of their own"},
-      {Treatment::soil_model, deforming_caisson, "its basis keeps the motions of a rigid caisson alone"},
-      {Treatment::soil_model, fields, "it holds readings alone"},
-      {Treatment::soil_model, strength, "it holds readings alone, and strength is compared everywhere"},
-      {Treatment::soil_model, cycles, "it holds readings alone"},
-      {Treatment::soil_model, liquefaction, "it holds readings alone"},
-      {Treatment::soil_model, peak_safety, "it holds readings alone"},
-      {Treatment::soil_model, own_mesh_error, "each soil would be solved on other meshes, too"},
-      {Treatment::soil_model, adapted, "each soil has a mesh of its own"},
-      {Treatment::soil_model, march_by_name, "it marches nothing"},
-      {Treatment::several_processes, by_reduced, "no reduced model is made"},
-      {Treatment::several_processes, early_stop, "no run stops early"},
-      {Treatment::several_processes, fields, "no fields are written"},
-      {Treatment::several_processes, contact, "no contact is solved"},
-      {Treatment::several_processes, strain, "soil does not follow its strain"},
-      {Treatment::several_processes, yielding, "no soil yields"},
-      {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
-      {Treatment::checkpoints, contact, "a run with contact keeps none"},
-      {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
-      {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
-       "give it kind = \"rigid\", or deformation = \"rigid\""},
-      {Treatment::contact, two_levels, "friction node by node begins without the shear of still water",
-       "write kind = \"bonded\", or give one level"},
-      {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
-       "write flow = \"auto\" or inertia = true"},
-      {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",
-       "remove the region, and give the water's pressure on bed and mound as a load"},
-      {Treatment::consolidation, absorbing_side, no_waves, "say \"roller\""},
-      {Treatment::consolidation, absorbing_pores, no_waves, "say \"sealed\""}};
+  static const std::vector<Row> list = [] {
+    std::vector<Row> all = rows_of_the_rest();
+    for (const Row& row : rows_of_soils()) all.push_back(row);
+    return all;
+  }();
   return list;
 }
 
