@@ -1,0 +1,75 @@
+// Claims: a study of many soils is answered by one model of them: each run agrees with that solved alone within its
+// estimate, tells the estimate, and says what was skipped; share = "none", few soils, and scenes that no model can
+// answer are solved alone, to the last bit.
+#include <nlohmann/json.hpp>
+
+#include "good_case.h"
+#include "section_case.h"
+#include "study/runner.h"
+#include "study/soil_runs.h"
+#include "upbead/algebra/petsc_session.h"
+
+namespace upbead::test {
+namespace soil_study_test {
+
+class SoilStudy : public InFolder {
+ protected:
+  SoilStudy() {
+    static const PetscSession petsc;
+    unsetenv("UPBEAD_MESHES");
+  }
+
+  static Study study_of(int runs, const std::vector<Setting>& fixed = {}) {
+    write("case.toml", section_case({}));
+    Study study;
+    study.cases = {"case.toml"};
+    study.reads = {"response.peak_shear", "sliding.sliding_history"};
+    for (int i = 0; i < runs; ++i) {
+      StudyRun run;
+      run.settings = fixed;
+      run.settings.emplace_back("regions.seabed.shear_modulus", std::to_string(2e7 * std::pow(4., i / (runs - 1.))));
+      run.settings.emplace_back("regions.mound.shear_modulus",
+                                std::to_string(5e7 * std::pow(3., (i * 7 % runs) / (runs - 1.))));
+      run.settings.emplace_back("loads.impulse.factor", i % 2 == 0 ? "1.0" : "1.5");
+      study.runs.push_back(run);
+    }
+    return study;
+  }
+};
+
+TEST_F(SoilStudy, IsAnsweredByOneModel) {
+  const Study study = study_of(static_cast<int>(least_soils));
+  Runner together(study, true, false), alone(study, false, false);
+  for (const int i : {0, 5, 11, 22}) {
+    const RunResult a = together.run(i, [] {}), b = alone.run(i, [] {});
+    ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+    EXPECT_EQ(a.shared, Shared::soils);
+    ASSERT_TRUE(a.error_estimate);
+    EXPECT_FALSE(b.error_estimate);
+    EXPECT_NEAR(*a.values[0], *b.values[0], *a.error_estimate * *b.values[0] + 1e-3 * *b.values[0]);
+    EXPECT_LT(*a.error_estimate, 5e-3);
+    EXPECT_NE(a.summary.find("one model answers all soils"), std::string::npos);
+  }
+}
+
+TEST_F(SoilStudy, OfFewSoilsOrWithoutSharingIsSolvedAlone) {
+  const Study few = study_of(static_cast<int>(least_soils) - 1);
+  EXPECT_TRUE(soil_groups(few).empty());
+  Study none = study_of(static_cast<int>(least_soils));
+  EXPECT_EQ(soil_groups(none).size(), 1U);
+  none.share = StudyShare::none;
+  Runner runner(none, true, false), alone(none, false, false);
+  EXPECT_EQ(runner.run(1, [] {}).values, alone.run(1, [] {}).values);
+}
+
+TEST_F(SoilStudy, OfAMarchIsSolvedAlone) {
+  const Study study = study_of(static_cast<int>(least_soils), {{"time.scheme", "\"sdirk4\""}});
+  Runner runner(study, true, false), alone(study, false, false);
+  const RunResult a = runner.run(2, [] {}), b = alone.run(2, [] {});
+  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+  EXPECT_NE(a.shared, Shared::soils);
+  EXPECT_EQ(a.values, b.values);
+}
+
+}  // namespace soil_study_test
+}  // namespace upbead::test
