@@ -118,6 +118,8 @@ SoilModel::SoilModel(const Simulation& first, const std::vector<Scene>& soils, c
 
 Simulation SoilModel::member(const Scene& given) const {
   Simulation::Parts parts = resolved_on(with_all_cells(given), first_.given_mesh());
+  for (const Exclusion& reason : excluded(parts.scene, Treatment::soil_model))
+    throw InputError(at_key(reason.key), reason.why, "solve it by itself");
   if (const std::string why = why_not_of_family(first_.scene(), parts.scene); !why.empty())
     throw InputError(Place(), why, "solve it by itself");
   parts.space = std::make_shared<const Space>(first_.space()->with(parts.scene));

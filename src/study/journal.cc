@@ -71,6 +71,7 @@ RunResult result_of(const Json& json) {
   result.doubts.failing = json.value("failing", result.doubts.failing);
   result.doubts.warnings = json.value("warnings", result.doubts.warnings);
   result.shared = static_cast<Shared>(json.at("shared").get<int>());
+  result.why_own = json.value("why_own", std::string());
   if (json.contains("error_estimate")) result.error_estimate = json["error_estimate"].get<double>();
   result.seconds = json.at("seconds");
   return result;
@@ -84,6 +85,7 @@ Json to_object(int run, const RunResult& result) {
   json["failing"] = result.doubts.failing;
   json["warnings"] = result.doubts.warnings;
   json["shared"] = static_cast<int>(result.shared);
+  if (!result.why_own.empty()) json["why_own"] = result.why_own;
   if (result.error_estimate) json["error_estimate"] = *result.error_estimate;
   json["seconds"] = result.seconds;
   return json;

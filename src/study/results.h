@@ -23,6 +23,7 @@ struct RunResult {
   Shared shared = Shared::nothing;
   /// Where one model answers all soils: estimated, of the history of F_T over its peak.
   std::optional<double> error_estimate;
+  std::string why_own;  ///< why it was solved by itself though other soils have one model; "" where it was not
   double seconds = 0.;  ///< wall time
 };
 

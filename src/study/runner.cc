@@ -97,7 +97,10 @@ Summary Runner::solve(int run, const Case& problem, const std::function<void()>&
     Simulation simulation = simulation_for(run, problem, meanwhile, shared);
     read_records(problem, simulation);  // their mistakes come before the work
     if (shared == Shared::soils) solved_ = solved_as_member(problem, simulation, options);
-    if (shared == Shared::soils && !solved_) simulation = own_simulation(problem, shared);
+    if (shared == Shared::soils && !solved_) {
+      soils_.refuse("the model of all soils does not converge for it");
+      simulation = own_simulation(problem, shared);
+    }
     if (!solved_) solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
     solution_key_ = key;
     const bool of_its_basis = solved_->n_spared > 0 && solved_->simulation->room() == simulation.room();
@@ -116,6 +119,7 @@ RunResult Runner::run(int number, const std::function<void()>& meanwhile) {
     require_loads(problem);
     const Summary summary = solve(number, problem, meanwhile, result.shared);
     if (summary.reduction) result.error_estimate = summary.reduction->error_of_soils;
+    if (!result.error_estimate) result.why_own = soils_.why_not();
     const Json json = summary_outputs().to_json(summary);
     result.summary = json_text(json);
     result.values = numbers_at(json, study_.reads);

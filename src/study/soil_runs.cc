@@ -75,23 +75,26 @@ std::vector<std::vector<int>> soil_groups(const Study& study) {
   return groups;
 }
 
-void SoilRuns::make(int group, const Case& problem, const std::shared_ptr<const Mesh>& mesh,
-                    const std::function<void()>& meanwhile) {
+Case SoilRuns::case_of(int run) const {
+  const StudyRun& of = study_.runs[static_cast<std::size_t>(run)];
+  return read_case(study_.cases[static_cast<std::size_t>(of.case_index)], overrides_of(of));
+}
+
+/// Made of the study alone, whichever run comes first: so it is the same in every process.
+void SoilRuns::make(int group, const std::shared_ptr<const Mesh>& mesh, const std::function<void()>& meanwhile) {
+  const std::vector<int>& runs = groups_[static_cast<std::size_t>(group)];
   made_ = group;
   model_.reset();
   why_no_model_.clear();
   try {
+    const Case problem = case_of(runs.front());
     const Simulation first = with_all_cells_on(problem, mesh);
     for (const Diagnostic& reason : why_no_soils(first)) {
       why_no_model_ = reason.place.key + ": " + reason.what;
       return;
     }
     std::vector<Scene> soils;
-    for (const int i : thinned(groups_[static_cast<std::size_t>(group)], most_candidates)) {
-      const StudyRun& run = study_.runs[static_cast<std::size_t>(i)];
-      soils.push_back(
-          scene_on(read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run)), *mesh));
-    }
+    for (const int i : thinned(runs, most_candidates)) soils.push_back(scene_on(case_of(i), *mesh));
     SoilModelOptions options;
     options.tolerance = share_of_tolerance * problem.scene.tolerance;
     options.progress = [&meanwhile](double) { meanwhile(); };
@@ -110,8 +113,7 @@ std::optional<Simulation> SoilRuns::member(int run, const Case& problem, const s
     return std::find(group.begin(), group.end(), run) != group.end();
   });
   if (found == groups_.end()) return std::nullopt;
-  if (const int group = static_cast<int>(found - groups_.begin()); group != made_)
-    make(group, problem, mesh, meanwhile);
+  if (const int group = static_cast<int>(found - groups_.begin()); group != made_) make(group, mesh, meanwhile);
   if (!model_) {
     why_not_ = why_no_model_;
     return std::nullopt;

@@ -31,10 +31,12 @@ class SoilRuns {
                                    const std::function<void()>& meanwhile);
   /// Why the group of the last run has no model, or the run itself is none of it; "" where it is.
   const std::string& why_not() const { return why_not_; }
+  /// The last run could not be solved as a member.
+  void refuse(const std::string& why) { why_not_ = why; }
 
  private:
-  void make(int group, const Case& problem, const std::shared_ptr<const Mesh>& mesh,
-            const std::function<void()>& meanwhile);
+  Case case_of(int run) const;
+  void make(int group, const std::shared_ptr<const Mesh>& mesh, const std::function<void()>& meanwhile);
 
   const Study& study_;
   std::vector<std::vector<int>> groups_;

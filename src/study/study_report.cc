@@ -1,6 +1,7 @@
 // study.csv, study.h5, summary.json, and text for the terminal.
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -68,6 +69,14 @@ Json skipped(const Results& results) {
   add(count(results, Shared::soils), "equations of their own, pressure of the water everywhere,",
       "one model answers all soils, within their error_estimate; share = \"none\" solves each by itself");
   return list;
+}
+
+/// Why runs were solved by themselves though other soils have one model: each reason, and how many runs.
+std::map<std::string, int> reasons_of_own(const Results& results) {
+  std::map<std::string, int> reasons;
+  for (const auto& result : results)
+    if (!result->why_own.empty()) ++reasons[result->why_own];
+  return reasons;
 }
 
 using Findings = std::vector<std::pair<std::string, std::string>>;
@@ -240,6 +249,8 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["torn_lines"] = account.torn;
   json["lost_processes"] = account.lost;
   json["skipped"] = skipped(results);
+  json["solved_alone"] = Json::array();
+  for (const auto& [why, n] : reasons_of_own(results)) json["solved_alone"].push_back({{"runs", n}, {"why", why}});
   double work = 0.;
   for (const auto& result : results) work += result->seconds;
   json["timing"] = {{"processes", account.processes},
@@ -260,6 +271,8 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
   const auto items = skipped(results);
   for (const Json& item : items)
     text += "skipped     " + item["what"].get<std::string>() + ": " + item["why"].get<std::string>() + "\n";
+  for (const auto& [why, n] : reasons_of_own(results))
+    text += "alone       " + std::to_string(n) + " runs were solved by themselves: " + why + "\n";
   std::size_t n = 0;
   for_each_failure(study, results, [&](std::size_t i, const StudyRun& run, const std::string& message) {
     if (n++ < n_listed)
