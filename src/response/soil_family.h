@@ -36,7 +36,7 @@ constexpr int first_of_member = 40, most_of_member = 200;
 /// Share of the directions that the smaller of two nested models has, by which a family's error is estimated.
 constexpr double nested_share = 0.5;
 /// The estimate is this multiple of the largest difference of both models' F_T, see docs/soils.md.
-constexpr double nested_safety = 1.2;
+constexpr double nested_safety = 1.6;
 
 struct SoilFamilyOptions {
   std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next
