@@ -131,7 +131,8 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   Verdict verdict;
   std::string unjudged;
   for (const Check& check : checks) {
-    const bool given = check.capacity && !check.limit.empty();  // mu W' is a capacity, and no limit
+    // a key of [limits], or a target of [reliability]; mu W' is a capacity, and no limit
+    const bool given = check.capacity && (!check.limit.empty() || check.mode == FailureMode::failure_of_life);
     if (given && !check.why_not.empty()) {
       ++verdict.unjudged;
       unjudged += (unjudged.empty() ? "" : ", ") + name_of(check);

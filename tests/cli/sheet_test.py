@@ -198,7 +198,7 @@ class Sheet(ProgramTest):
         alone, _ = self.chances("reliability", *given)
         rows = [row for row in sheet["checks"] if row["part"] == "reliability"]
         by_name = lambda row: row["name"]
-        own = {"mode", "part", "governs"}
+        own = {"part", "governs"}
         self.assertEqual(sorted(({k: v for k, v in row.items() if k not in own} for row in rows), key=by_name),
                          sorted(alone["checks"], key=by_name))
         self.assertEqual({row["mode"] for row in rows}, {"failure over the life"})

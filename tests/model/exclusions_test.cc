@@ -55,6 +55,12 @@ TEST(Exclusions, StandInTheTable) {
   scene.boundaries["base"].displacement = DisplacementCondition::fixed;
   scene.loads["quake"].kind = LoadKind::acceleration;
   scene.loads["quake"].boundary = "base";
+  scene.loads["weight"].kind = LoadKind::gravity;
+  scene.regions["mound"].stress_law = StressLaw();
+  scene.cycles = Cycles();
+  scene.limits.liquefaction = scene.limits.peak_safety = 1.;
+  scene.accuracy.estimate = true;
+  scene.mesh.refine.reset();
   ASSERT_TRUE(has_frictional_contact(scene));
   const std::string table = exclusion_table();
   std::size_t told = 0;
@@ -63,6 +69,9 @@ TEST(Exclusions, StandInTheTable) {
       EXPECT_NE(table.find("| " + reason.why + " |"), std::string::npos) << reason.why;
       ++told;
     }
+  scene = Scene();
+  scene.time.scheme = TimeScheme::sdirk4;  // no scene asks for two schemes
+  told += excluded(scene, Treatment::soil_model).size();
   EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), told + 2);
 }
 
