@@ -23,7 +23,7 @@ class Runner {
   /// `trusts_scripts`: see require_trust().
   Runner(const Study& study, bool sharing, bool trusts_scripts)
       : study_(study),
-        sharing_(sharing && study.share == StudyShare::all),
+        sharing_(sharing && study.share != StudyShare::none),
         trusts_scripts_(trusts_scripts),
         soils_(study) {}
   /// A run that fails says so in its result. `meanwhile` is called during the run. Throws Interrupted.

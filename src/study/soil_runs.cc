@@ -59,6 +59,7 @@ Simulation with_all_cells_on(const Case& problem, const std::shared_ptr<const Me
 }  // namespace
 
 std::vector<std::vector<int>> soil_groups(const Study& study) {
+  if (study.share != StudyShare::soils) return {};
   std::map<std::string, std::vector<int>> of_rest;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const StudyRun& run = study.runs[i];

@@ -17,7 +17,7 @@ namespace upbead {
 constexpr std::size_t least_soils = 24;
 
 /// Numbers of runs that one model may answer: of one case, with the same settings but for those of soils, loads,
-/// sliding and limits, and of at least least_soils different soils.
+/// sliding and limits, and of at least least_soils different soils; none where the study does not share soils.
 std::vector<std::vector<int>> soil_groups(const Study& study);
 
 /// Models of such groups; the last one is kept.

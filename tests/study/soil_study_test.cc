@@ -1,6 +1,6 @@
 // Claims: a study of many soils is answered by one model of them: each run agrees with that solved alone within its
-// estimate, tells the estimate, and says what was skipped; share = "none", few soils, and scenes that no model can
-// answer are solved alone, to the last bit.
+// estimate, tells the estimate, and says what was skipped; without share = "soils", few soils, and scenes that no model
+// can answer are solved alone, to the last bit.
 #include <nlohmann/json.hpp>
 
 #include "good_case.h"
@@ -22,6 +22,7 @@ class SoilStudy : public InFolder {
   static Study study_of(int runs, const std::vector<Setting>& fixed = {}) {
     write("case.toml", section_case({}));
     Study study;
+    study.share = StudyShare::soils;
     study.cases = {"case.toml"};
     study.reads = {"response.peak_shear", "sliding.sliding_history"};
     for (int i = 0; i < runs; ++i) {
@@ -57,7 +58,8 @@ TEST_F(SoilStudy, OfFewSoilsOrWithoutSharingIsSolvedAlone) {
   EXPECT_TRUE(soil_groups(few).empty());
   Study none = study_of(static_cast<int>(least_soils));
   EXPECT_EQ(soil_groups(none).size(), 1U);
-  none.share = StudyShare::none;
+  none.share = StudyShare::all;
+  EXPECT_TRUE(soil_groups(none).empty());
   Runner runner(none, true, false), alone(none, false, false);
   EXPECT_EQ(runner.run(1, [] {}).values, alone.run(1, [] {}).values);
 }
