@@ -1,5 +1,5 @@
 // upbead: shear force and sliding of caisson breakwaters under impulsive waves. Commands that mesh or solve are
-// passed to upbead-solver, that which samples to upbead-reliability; both lie beside this program.
+// passed to upbead-solver, those by OpenTURNS to upbead-reliability; both lie beside this program.
 
 #include <unistd.h>
 

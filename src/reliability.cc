@@ -1,7 +1,7 @@
-// upbead-reliability: the command that samples, with the library OpenTURNS, which no other program loads.
+// upbead-reliability: the commands that need the library OpenTURNS, which no other program loads.
 
 #include "cli/command.h"
 
 int main(int argc, char** argv) {
-  return upbead::run_program(argc, argv, {upbead::reliability_command()});
+  return upbead::run_program(argc, argv, {upbead::reliability_command(), upbead::indices_command()});
 }

@@ -124,7 +124,8 @@ std::vector<Command> solver_commands() {
 }
 
 std::vector<Command> sampling_commands() {
-  return {{"reliability", "probability of failure of a section in one wave whose numbers are random"}};
+  return {{"reliability", "probability of failure of a section in one wave whose numbers are random"},
+          {"indices", "Sobol indices of a study: which key makes which share of the variance"}};
 }
 
 Command solver_command(const std::string& name) {

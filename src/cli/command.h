@@ -68,7 +68,7 @@ std::vector<T> operator+(std::vector<T> list, const std::vector<T>& more) {
 /// Commands that mesh or solve, with their help texts but without their work, which a program of its own does, the
 /// solver. So all other commands start without the solver's 200 libraries, in a fifth of the time.
 std::vector<Command> solver_commands();
-/// The command that samples by OpenTURNS, likewise without its work: a third program has that library.
+/// The commands that need OpenTURNS, likewise without their work: a third program has that library.
 std::vector<Command> sampling_commands();
 /// The one of the solver's commands with that name.
 Command solver_command(const std::string& name);
@@ -97,6 +97,7 @@ Command sheet_command();
 Command reduce_command();
 Command study_command();
 Command reliability_command();
+Command indices_command();
 
 /// All commands that need neither mesh nor solver; with the `respond` of a program that has both, where it is given.
 std::vector<Command> light_commands(std::optional<Command> respond = {});

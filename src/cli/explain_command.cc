@@ -16,6 +16,7 @@
 #include "model/exclusions.h"
 #include "output/wave_response.h"
 #include "reliability/answer.h"
+#include "reliability/indices.h"
 #include "response/time_choice.h"
 #include "run/yielding_extent.h"
 
@@ -117,7 +118,8 @@ std::vector<std::pair<std::string, std::vector<OutputRow>>> outputs() {
   return {{"run", summary_outputs().rows()},    {"explain", explained_outputs().rows()},
           {"sheet", rows_of_sheet()},           {"respond", rows_of_respond()},
           {"waves", rows_of_waves()},           {"expected", rows_of_expected()},
-          {"calibrate", rows_of_calibration()}, {"reliability", rows_of_reliability()}};
+          {"calibrate", rows_of_calibration()}, {"reliability", rows_of_reliability()},
+          {"indices", rows_of_indices()}};
 }
 
 std::string output_reference() {

@@ -48,19 +48,24 @@ std::vector<Literal> values_of(const VaryTable& vary) {
   return values;
 }
 
+Literal value_at(const Axis& axis, double probability) {
+  const std::vector<Literal>& values = axis.vary.values;
+  if (values.empty()) return literal(quantile(axis.vary, probability));
+  return values[static_cast<std::size_t>(probability * static_cast<double>(values.size()))];
+}
+
 Literal drawn_value(const Axis& axis, std::uint64_t seed, int draw) {
   Fingerprint key;
   key.add(axis.key);
   const double probability =
       Stream(seed).uniform({static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(key.value()),
                             static_cast<std::uint32_t>(key.value() >> 32), 0});
-  const std::vector<Literal>& values = axis.vary.values;
-  if (values.empty()) return literal(quantile(axis.vary, probability));
-  return values[static_cast<std::size_t>(probability * static_cast<double>(values.size()))];
+  return value_at(axis, probability);
 }
 
 double number_of_runs(const StudyTables& study, const std::vector<Axis>& axes) {
   if (study.sample == Sampling::random) return *study.n;
+  if (study.sample == Sampling::sobol) return *study.n * (static_cast<double>(axes.size()) + 2.);
   if (study.sample == Sampling::paired) return static_cast<double>(values_of(axes.front().vary).size());
   double n = 1.;
   for (const Axis& axis : axes) n *= static_cast<double>(values_of(axis.vary).size());
@@ -69,6 +74,8 @@ double number_of_runs(const StudyTables& study, const std::vector<Axis>& axes) {
 
 Sampler::Sampler(const StudyTables& study, const std::vector<Axis>& axes) : study_(study), axes_(axes) {
   for (const Axis& axis : axes) lists_.push_back(values_of(axis.vary));
+  if (study.sample == Sampling::sobol)
+    sobol_.emplace(*study.n, static_cast<int>(axes.size()), static_cast<std::uint64_t>(study.seed));
 }
 
 int Sampler::n_runs() const {
@@ -79,7 +86,9 @@ std::vector<Literal> Sampler::values(int run) const {
   std::vector<Literal> values(axes_.size());
   auto rest = static_cast<std::size_t>(run);
   for (std::size_t a = axes_.size(); a-- > 0;) {
-    if (study_.sample == Sampling::random) {
+    if (sobol_) {
+      values[a] = value_at(axes_[a], sobol_->probability(run, static_cast<int>(a)));
+    } else if (study_.sample == Sampling::random) {
       values[a] = drawn_value(axes_[a], static_cast<std::uint64_t>(study_.seed), run);
     } else if (study_.sample == Sampling::paired) {
       values[a] = lists_[a][rest];
@@ -89,6 +98,16 @@ std::vector<Literal> Sampler::values(int run) const {
     }
   }
   return values;
+}
+
+int Sampler::point(int run) const {
+  return sobol_ ? sobol_->point(run) : 0;
+}
+
+std::string Sampler::matrix(int run) const {
+  if (!sobol_) return "";
+  const int matrix = sobol_->matrix(run);
+  return matrix == 0 ? "A" : matrix == 1 ? "B" : axes_[static_cast<std::size_t>(matrix - 2)].key;
 }
 
 }  // namespace upbead

@@ -32,6 +32,8 @@ StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, cons
                   int number) {
   StudyRun run;
   run.case_index = case_index;
+  run.point = sampler.point(number);
+  run.matrix = sampler.matrix(number);
   for (const auto& [key, value] : tables.set) run.settings.emplace_back(key, value.toml);
   const std::vector<Literal> values = sampler.values(number);
   for (std::size_t a = 0; a < axes.size(); ++a) run.varied.emplace_back(axes[a].key, values[a].toml);

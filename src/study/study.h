@@ -26,6 +26,8 @@ struct StudyRun {
   int case_index = 0;             ///< into Study::cases
   std::vector<Setting> varied;    ///< by Study::keys, in their order
   std::vector<Setting> settings;  ///< all that is set in the case: fixed, varied and following keys
+  int point = 0;                  ///< of a Sobol sample: its base point
+  std::string matrix = {};        ///< of a Sobol sample: "A", "B", or the key whose value is of B, the others of A
 };
 
 /// A study that has been read: its runs in their order, with all values.

@@ -32,22 +32,24 @@ void check_cases(const Checker& check) {
     check.add("case", "the study has no case", "add case = the path of a case file");
   if (std::set<std::string>(study.cases.begin(), study.cases.end()).size() != study.cases.size())
     check.add("cases", "a case is named twice", "remove one of them");
-  if (check.axes.empty() && (study.cases.size() < 2 || study.sample == Sampling::random))
+  if (check.axes.empty() && (study.cases.size() < 2 || has_draws(study.sample)))
     check.add("vary", "nothing is varied", "add a table such as [vary.\"regions.seabed.shear_modulus\"] with values");
 }
 
 /// Values, a range and a distribution exclude one another, and not every kind of sample allows each of them.
 bool check_kind(const Checker& check, const VaryTable& vary, const std::string& path) {
-  const bool random = check.study.sample == Sampling::random;
+  const bool random = has_draws(check.study.sample);
   const int given = (vary.values.empty() ? 0 : 1) + (vary.from ? 1 : 0) + (vary.distribution ? 1 : 0);
   if (given != 1)
     check.add(path, "[" + path + "] has " + (given == 0 ? "no values" : "values of more than one kind"),
               random ? "give either values or distribution" : "give either values, or from, to and n");
   else if (random && vary.from)
-    check.add(path + ".from", "a range does not belong where sample = \"random\"",
+    check.add(path + ".from",
+              std::string("a range does not belong where sample = \"") +
+                  (check.study.sample == Sampling::sobol ? "sobol" : "random") + "\"",
               "write distribution = \"uniform\" with low and high");
   else if (!random && vary.distribution)
-    check.add(path + ".distribution", "a distribution belongs only where sample = \"random\"",
+    check.add(path + ".distribution", "a distribution belongs only where sample = \"random\" or \"sobol\"",
               "write from, to and n, or sample = \"random\"");
   else
     return true;
@@ -99,6 +101,11 @@ void check_axes(const Checker& check) {
                              check.axes.front().key + "' has " +
                              std::to_string(values_of(check.axes.front().vary).size()),
                          "give paired keys equally many values, or write sample = \"grid\"");
+  if (check.study.sample == Sampling::sobol && check.axes.size() > static_cast<std::size_t>(most_sobol_keys))
+    return check.add("vary",
+                     "a Sobol sample of " + std::to_string(check.axes.size()) + " keys, more than " +
+                         std::to_string(most_sobol_keys),
+                     "vary fewer keys");
   const double n = number_of_runs(check.study, check.axes);
   if (n > most_runs)
     check.add("vary", "the study has " + number_text(n) + " runs, more than " + number_text(most_runs),

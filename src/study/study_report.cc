@@ -145,6 +145,22 @@ const std::string& case_of(const Study& study, const StudyRun& run) {
   return study.cases[static_cast<std::size_t>(run.case_index)];
 }
 
+/// Whether runs belong to the matrices of a Sobol sample.
+bool has_matrices(const Study& study) {
+  return !study.runs.empty() && !study.runs.front().matrix.empty();
+}
+
+void add_matrices(const Study& study, std::vector<TableColumn>& columns) {
+  TableColumn point{"runs/point", "", "number of the point of the Sobol sample", {}, {}};
+  TableColumn matrix{"runs/matrix", "", "", {}, {}};
+  for (const StudyRun& run : study.runs) {
+    point.numbers.push_back(run.point);
+    matrix.texts.push_back(run.matrix);
+  }
+  columns.push_back(point);
+  columns.push_back(matrix);
+}
+
 /// The values of one varied key in all runs.
 TableColumn varied_column(const Study& study, std::size_t key) {
   TableColumn column{
@@ -193,10 +209,11 @@ void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
 }  // namespace
 
 std::string study_csv(const Study& study, const Results& results) {
-  const bool several = study.cases.size() > 1,
+  const bool several = study.cases.size() > 1, sobol = has_matrices(study),
              estimated = std::any_of(results.begin(), results.end(),
                                      [](const auto&r) { return r->error_estimate.has_value(); });
   std::string text = several ? "run,case" : "run";
+  if (sobol) text += ",point,matrix";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);
   text += std::string(",status,message,checks_failing,warnings") + (estimated ? ",error_estimate\n" : "\n");
@@ -204,6 +221,7 @@ std::string study_csv(const Study& study, const Results& results) {
     const RunResult& result = *results[i];
     text += std::to_string(i);
     if (several) text += "," + csv_cell(case_of(study, study.runs[i]));
+    if (sobol) text += "," + std::to_string(study.runs[i].point) + "," + csv_cell(study.runs[i].matrix);
     for (const auto& [key, value] : study.runs[i].varied) text += "," + csv_cell(plain(value));
     for (std::size_t read = 0; read < study.reads.size(); ++read)
       text += "," + (result.done && result.values[read] ? number_text(*result.values[read]) : std::string());
@@ -226,6 +244,7 @@ std::string study_h5(const Study& study, const Results& results) {
   }
   std::vector<TableColumn> columns{number, done, file, message};
   add_estimates(results, columns);
+  if (has_matrices(study)) add_matrices(study, columns);
   for (std::size_t key = 0; key < study.keys.size(); ++key) columns.push_back(varied_column(study, key));
   for (std::size_t read = 0; read < study.reads.size(); ++read) add_read(study, results, read, columns);
   return table_file(study.title, columns);

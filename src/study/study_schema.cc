@@ -28,7 +28,7 @@ Diagnostics read_settings(const Node& node, const KeyInfo& key, const std::strin
 }
 
 const std::vector<std::pair<std::string, Sampling>> sampling_words{
-    {"grid", Sampling::grid}, {"paired", Sampling::paired}, {"random", Sampling::random}};
+    {"grid", Sampling::grid}, {"paired", Sampling::paired}, {"random", Sampling::random}, {"sobol", Sampling::sobol}};
 const std::vector<std::pair<std::string, StudyShare>> share_words{
     {"all", StudyShare::all}, {"soils", StudyShare::soils}, {"none", StudyShare::none}};
 const std::vector<std::pair<std::string, Spacing>> spacing_words{{"linear", Spacing::linear}, {"log", Spacing::log}};
@@ -166,7 +166,7 @@ const std::vector<std::string>& default_reads() {
 }
 
 TableSchema<StudyTables> study_schema() {
-  const auto drawn = [](const StudyTables& study) { return study.sample == Sampling::random; };
+  const auto drawn = [](const StudyTables& study) { return has_draws(study.sample); };
   TableSchema<StudyTables> table;
   table.key("title", &StudyTables::title).doc("title of the study");
   table.key("case", &StudyTables::one_case).doc("path of the case; or cases");
@@ -174,16 +174,16 @@ TableSchema<StudyTables> study_schema() {
   table.choice("sample", &StudyTables::sample, sampling_words)
       .doc(
           "how varied keys combine; grid: every value with every other; paired: the first ones together, then the "
-          "second ones; random: n draws");
+          "second ones; random: n draws; sobol: n (keys + 2) runs, of which `upbead indices` makes Sobol indices");
   table.key("n", &StudyTables::n)
       .range(from_to(1., 1e5))
       .required()
-      .doc("number of draws")
-      .when("sample", drawn, "where sample = random");
+      .doc("number of draws; of points of a Sobol sample, best a power of 2")
+      .when("sample", drawn, "where sample = random or sobol");
   table.key("seed", &StudyTables::seed)
       .range(at_least(0.))
-      .doc("seed of the draws; a draw depends on it, on the key and on its number only")
-      .when("sample", drawn, "where sample = random");
+      .doc("seed of the draws; a random draw depends on it, on the key and on its number only")
+      .when("sample", drawn, "where sample = random or sobol");
   table.key("read", &StudyTables::read)
       .fallback("peak F_T, peak P, their ratio and the peak displacement")
       .doc("list of numbers to read of each run, as paths into its summary.json");
@@ -198,7 +198,8 @@ TableSchema<StudyTables> study_schema() {
   table.tables("vary", &StudyTables::vary, vary_schema())
       .doc(
           "One table per varied key, its dotted path in quotes: `[vary.\"regions.seabed.shear_modulus\"]`. Exactly "
-          "one of values, from and distribution; distribution only where sample = random, from only elsewhere.");
+          "one of values, from and distribution; distribution only where sample = random or sobol, from only "
+          "elsewhere.");
   table.tables("follow", &StudyTables::follow, follow_schema())
       .doc("Keys that go along with a varied one, their dotted paths in quotes.");
   table.table("report", &StudyTables::report, report_table()).doc(report_table_doc);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "expected/sobol_sample.h"
 #include "input/schema.h"
 #include "input/values.h"
 #include "study/study.h"
@@ -55,7 +56,12 @@ enum class Sampling {
   grid,    ///< every value of each key with every value of all others
   paired,  ///< the first values together, the second ones together, and so on
   random,  ///< n independent draws
+  sobol,   ///< n (d + 2) runs for the Sobol indices of d keys, see expected/sobol_sample.h
 };
+
+inline bool has_draws(Sampling sampling) {
+  return sampling == Sampling::random || sampling == Sampling::sobol;
+}
 
 enum class Spacing { linear, log };
 enum class DrawnBy { uniform, log_uniform, normal, log_normal };
@@ -106,6 +112,9 @@ struct Axis {
 /// The values of a list or a range, in their order. The ends of a range are met exactly.
 std::vector<Literal> values_of(const VaryTable& vary);
 
+/// The value of an axis at a probability in (0, 1): a quantile, or one of its values, with equal chances.
+Literal value_at(const Axis& axis, double probability);
+
 /// The value of a key in draw number `draw`: it depends only on the axis, the seed and the number, so that more draws
 /// or other keys do not change it.
 Literal drawn_value(const Axis& axis, std::uint64_t seed, int draw);
@@ -121,11 +130,15 @@ class Sampler {
   int n_runs() const;
   /// In a grid the last axis runs fastest.
   std::vector<Literal> values(int run) const;
+  /// Of a Sobol sample, as in StudyRun; 0 and "" in others.
+  int point(int run) const;
+  std::string matrix(int run) const;
 
  private:
   const StudyTables& study_;
   const std::vector<Axis>& axes_;
   std::vector<std::vector<Literal>> lists_;  ///< of axes without a distribution
+  std::optional<SobolSample> sobol_;
 };
 
 /// Reports mistakes in the study itself, without its cases. `axes`: in the order of the file.

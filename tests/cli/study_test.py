@@ -282,7 +282,7 @@ class Study(ProgramTest):
 
     def test_mistakes_leave_nothing(self):
         done = self.study("--set", 'sample="net"', "--set", "n=3", code=1)
-        self.assertIn("none of grid, paired, random", done.stderr)
+        self.assertIn("none of grid, paired, random, sobol", done.stderr)
         self.assertEqual(self.left_behind(), ["small.toml", "study.toml"])
 
     def test_under_a_launcher_mistakes_are_told_once(self):
@@ -291,7 +291,7 @@ class Study(ProgramTest):
                                "--set", 'sample="net"'], cwd=self.folder, capture_output=True, text=True, timeout=60,
                               env=environment)
         self.assertEqual(done.returncode, 1)
-        self.assertEqual(done.stderr.count("none of grid, paired, random"), 1, done.stderr)
+        self.assertEqual(done.stderr.count("none of grid, paired, random, sobol"), 1, done.stderr)
 
     def test_without_mpirun_it_runs_all_the_same(self):
         (self.folder / "study.toml").write_text(SHORT)

@@ -68,9 +68,10 @@ const std::vector<BadStudy> rows{
     BadStudy{"UnknownKey", "title", "titel",
              "study.toml:1:1: unknown key 'titel' at the top of the file; did you mean 'title'?"},
     BadStudy{"WordOutOfAList", "\"grid\"", "\"latin\"",
-             "study.toml:3:1: sample = \"latin\" is none of grid, paired, random; choose one of them"},
-    BadStudy{"NumberOfDrawsInAGrid", "sample = \"grid\"", "sample = \"grid\"\nn = 3",
-             "study.toml:4:1: 'n' does not belong at the top of the file (only where sample = random); remove it"},
+             "study.toml:3:1: sample = \"latin\" is none of grid, paired, random, sobol; choose one of them"},
+    BadStudy{
+        "NumberOfDrawsInAGrid", "sample = \"grid\"", "sample = \"grid\"\nn = 3",
+        "study.toml:4:1: 'n' does not belong at the top of the file (only where sample = random or sobol); remove it"},
     BadStudy{"ReadOfNothing", "response.peak_shear", "response.peak_sheer",
              "study.toml:4:1: 'response.peak_sheer' cannot be read: no summary has it; did you mean "
              "'response.peak_shear'?"},
@@ -101,10 +102,14 @@ const std::vector<BadStudy> rows{
              "study.toml:11:1: a range from 0 to 10 has no logarithmic spacing; give ends of the same sign, neither of "
              "them 0"},
     BadStudy{"DistributionInAGrid", "values = [1e7, 2e7]", "distribution = \"uniform\"\nlow = 1\nhigh = 2",
-             "study.toml:8:1: a distribution belongs only where sample = \"random\"; write from, to and n, or sample = "
+             "study.toml:8:1: a distribution belongs only where sample = \"random\" or \"sobol\"; write from, to and "
+             "n, or sample = "
              "\"random\""},
     BadStudy{"RangeInARandomSample", "sample = \"grid\"\n", random_sample,
              "study.toml:11:1: a range does not belong where sample = \"random\"; write distribution = \"uniform\" "
+             "with low and high"},
+    BadStudy{"RangeInASobolSample", "sample = \"grid\"\n", "sample = \"sobol\"\nn = 4\n",
+             "study.toml:11:1: a range does not belong where sample = \"sobol\"; write distribution = \"uniform\" "
              "with low and high"},
     BadStudy{"RandomWithoutNumber", "sample = \"grid\"", "sample = \"random\"",
              "study.toml: 'n' is missing at the top of the file; add n, a whole number\n"
@@ -123,7 +128,7 @@ const std::vector<BadStudy> rows{
              "study.toml:13:9: 'gravity' follows and is varied; keep one of them"},
     BadStudy{"TwoMistakesInTheOrderOfTheFile", "case = \"case.toml\"\nsample = \"grid\"", "sample = \"net\"",
              "study.toml: the study has no case; add case = the path of a case file\n"
-             "study.toml:2:1: sample = \"net\" is none of grid, paired, random; choose one of them"},
+             "study.toml:2:1: sample = \"net\" is none of grid, paired, random, sobol; choose one of them"},
     BadStudy{"NotToml", "n = 3", "n = ",
              "study.toml:12:5: not TOML: Error while parsing key-value pair: expected value, saw '\\n'; see "
              "https://toml.io for the syntax"},

@@ -125,6 +125,50 @@ TEST_F(StudyFile, ADrawBelongsToItsKeyAndNumber) {
   EXPECT_EQ(std::set<double>(alone.begin(), alone.end()).size(), 20U);
 }
 
+const std::string sobol_keys =
+    "sample = \"sobol\"\nn = 8\n[vary.\"time.end\"]\ndistribution = \"uniform\"\nlow = 2\nhigh = 4\n"
+    "[vary.gravity]\ndistribution = \"uniform\"\nlow = 9\nhigh = 10\n[vary.\"mesh.refine\"]\nvalues = [0, 1]\n";
+
+TEST_F(StudyFile, ASobolSampleIsTwoMatricesAndTheFirstWithEachColumnOfTheSecond) {
+  const Study study = read(sobol_keys);
+  ASSERT_EQ(study.runs.size(), 8U * 5U);
+  const Texts matrices{"A", "B", "time.end", "gravity", "mesh.refine"};
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const StudyRun& run = study.runs[i];
+    EXPECT_EQ(run.matrix, matrices[i % 5]) << i;
+    EXPECT_EQ(run.point, static_cast<int>(i / 5)) << i;
+    const StudyRun &a = study.runs[i - i % 5], &b = study.runs[i - i % 5 + 1];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (i % 5 >= 2) {
+        EXPECT_EQ(run.varied[k], (k == i % 5 - 2 ? b : a).varied[k]) << i << " " << k;
+      }
+  }
+}
+
+/// Each of 2^k equal parts of an axis has one of 2^k points of Sobol's sequence, shifted or not; random ones have not.
+TEST_F(StudyFile, ASobolSampleFillsEachAxisOfBothMatricesEvenly) {
+  const Study study = read(sobol_keys, {"n=64"});
+  const std::vector<double> end = draws(study, 0), gravity = draws(study, 1);
+  for (const std::size_t matrix : {0U, 1U}) {
+    std::set<int> parts_of_end, parts_of_gravity, parts_of_both;
+    for (std::size_t i = matrix; i < study.runs.size(); i += 5) {
+      parts_of_end.insert(static_cast<int>(64. * (end[i] - 2.) / 2.));
+      parts_of_gravity.insert(static_cast<int>(64. * (gravity[i] - 9.)));
+      parts_of_both.insert(4 * static_cast<int>(2. * (end[i] - 2.)) + static_cast<int>(4. * (gravity[i] - 9.)));
+    }
+    EXPECT_EQ(parts_of_end.size(), 64U) << matrix;
+    EXPECT_EQ(parts_of_gravity.size(), 64U) << matrix;
+    EXPECT_EQ(parts_of_both.size(), 16U) << matrix;
+  }
+}
+
+TEST_F(StudyFile, MorePointsOfASobolSampleLeaveTheFirstOnesAndItsSeedMovesAll) {
+  const std::vector<double> few = draws(read(sobol_keys)), more = draws(read(sobol_keys, {"n=20"}));
+  EXPECT_EQ(std::vector<double>(more.begin(), more.begin() + 40), few);
+  EXPECT_NE(draws(read(sobol_keys, {"seed=2"})), few);
+  EXPECT_EQ(draws(read(sobol_keys)), few);
+}
+
 TEST_F(StudyFile, TheFingerprintChangesWithEverythingThatANumberRestsOn) {
   const std::string text = "[vary.\"loads.gauge.history\"]\nvalues = [\"force.csv\", \"second.csv\"]\n";
   write("second.csv", "time,force\n0,0\n0.2,1e6\n0.4,0\n");
