@@ -376,14 +376,14 @@ int respond(const Arguments& arguments, const RespondCases& cases, const Stopwat
   const std::vector<WaveResponses> responses = respond_to_waves(model, waves, options);
   timing.respond = respond_watch.seconds();
   const Stopwatch write_watch;
-  folder.write("responses.h5", response_file(model.title, responses));
+  folder.write("responses.h5", response_file({model, arguments.model}, responses));
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
   NumberedWarnings warnings = file_warnings(waves);
   for (const NumberedWarnings& more : {band_warnings(model, responses), error_warnings(model, responses),
                                        slip_warnings(responses), circle_warnings_of(responses)})
     append(warnings, more);
-  const std::string json = to_json(model, arguments.model, responses, timing, warnings);
+  const std::string json = to_json({model, arguments.model}, responses, timing, warnings);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit();

@@ -15,10 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double padding = 1.1;  ///< length of the FFT over that of the wave
-constexpr double wrapped = 10.;  ///< parts that wrap around are damped by exp(-wrapped)
-/// Safety factors of the bound on both differences: docs/reduced.md.
-constexpr double safety_of_model = 1.2, safety_of_middle = 1.5;
+constexpr double safety_of_model = 1.2;  ///< on the difference between reference and model: docs/reduced.md
+constexpr double padding = 1.1;          ///< length of the FFT over that of the wave
+constexpr double wrapped = 10.;          ///< parts that wrap around are damped by exp(-wrapped)
 
 /// Z - 1 at the frequencies of the FFT.
 Eigen::ArrayXcd contour(Eigen::Index n_fft) {
@@ -104,7 +103,7 @@ Eigen::VectorXcd transfer(const ModalModel& model, int i, int k, const Eigen::Ar
 }  // namespace
 
 double ResponseDifference::bound() const {
-  return safety_of_model * of_model.cwiseAbs().maxCoeff() + safety_of_middle * of_middle.cwiseAbs().maxCoeff();
+  return safety_of_model * of_model.cwiseAbs().maxCoeff() + safety * of_middle.cwiseAbs().maxCoeff();
 }
 
 /// Up to this number of waves the recurrences themselves are used, beyond it the FFT: making the transfer functions
@@ -116,7 +115,8 @@ struct ResponseError::ByFft {
       : fft(static_cast<Eigen::Index>(padding * n) + 1),
         weight(n),
         of_model(fft.size() / 2 + 1, model.n_loads()),
-        of_middle(of_model.rows(), of_model.cols()) {
+        of_middle(of_model.rows(), of_model.cols()),
+        safety(nested.safety) {
     for (Eigen::Index j = 0; j < n; ++j)
       weight[j] = std::exp(-wrapped * static_cast<double>(j) / static_cast<double>(fft.size()));
     const Eigen::ArrayXcd q = contour(fft.size());
@@ -138,17 +138,18 @@ struct ResponseError::ByFft {
     const auto in_time = [&](Eigen::VectorXcd& amplitude) -> Eigen::VectorXd {
       return fft.backward(std::move(amplitude)).head(loads.cols()).cwiseQuotient(weight);
     };
-    return {in_time(model), in_time(middle)};
+    return {in_time(model), in_time(middle), safety};
   }
 
   detail::RealFft fft;
   Eigen::VectorXd weight;                ///< exp(-sigma t) of the samples
   Eigen::MatrixXcd of_model, of_middle;  ///< frequencies of the FFT x K
+  double safety;
 };
 
 ResponseError::ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n,
                              int n_waves)
-    : n_loads_(model.n_loads()), n_(n) {
+    : n_loads_(model.n_loads()), n_(n), safety_(nested.safety) {
   if (n_waves > few_waves)
     by_fft_ = std::make_shared<const ByFft>(model, reading, nested, step, n);
   else
@@ -163,7 +164,7 @@ ResponseDifference ResponseError::of(const Eigen::Ref<const WaveSamples>& loads)
   from_zero.rightCols(n_) = loads;
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> y(3, n_ + 1);
   for (int i = 0; i < 3; ++i) models_[static_cast<std::size_t>(i)].respond(from_zero, y.row(i));
-  return {(y.row(2) - y.row(0)).tail(n_).transpose(), (y.row(2) - y.row(1)).tail(n_).transpose()};
+  return {(y.row(2) - y.row(0)).tail(n_).transpose(), (y.row(2) - y.row(1)).tail(n_).transpose(), safety_};
 }
 
 /// The part of sampled_transfer() from beyond `omega`. Lines between samples contain each frequency of the FFT and

@@ -20,6 +20,7 @@ class RealFft;
 struct ResponseDifference {
   Eigen::VectorXd of_model;   ///< reference minus model, at the samples
   Eigen::VectorXd of_middle;  ///< reference minus middle model
+  double safety;              ///< see NestedModels::safety
 
   /// An upper bound of the model's largest error. Its factors were tested on scenes that did not set them:
   /// docs/reduced.md.
@@ -45,6 +46,7 @@ class ResponseError {
  private:
   struct ByFft;
   int n_loads_, n_;
+  double safety_;
   std::shared_ptr<const ByFft> by_fft_;  ///< for many waves
   std::vector<BatchResponse> models_;    ///< for few waves: model, middle, reference
 };

@@ -12,9 +12,9 @@ namespace upbead {
 namespace {
 
 /// Advances all modes step by step.
-class Modes {
+class RecurringModes {
  public:
-  explicit Modes(const ModalModel& model)
+  explicit RecurringModes(const ModalModel& model)
       : model_(model),
         z_(Eigen::VectorXcd::Zero(model.n_modes())),
         E_(model.n_modes()),
@@ -110,7 +110,7 @@ Series respond(const ModalModel& model, const SampledLoads& loads) {
   constexpr Eigen::Index largest_block = 256;
   Eigen::MatrixXd reading(model.n_readings(), 2 * n_modes), z(2 * n_modes, largest_block);
   reading << model.reading.real(), -model.reading.imag();
-  Modes modes(model);
+  RecurringModes modes(model);
   for (Eigen::Index first = 0; first < n; first += largest_block) {
     const Eigen::Index block = std::min(largest_block, n - first);
     for (Eigen::Index i = 0; i < block; ++i) {

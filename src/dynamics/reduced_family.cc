@@ -56,6 +56,12 @@ ReducedSystem ReducedFamily::at(const std::vector<double>& factors) const {
   return member;
 }
 
+ReducedSystem ReducedFamily::bonded(const std::vector<double>& factors, double share) const {
+  ReducedSystem member = at(factors);
+  if (share < 1.) member = leading(member, n_kept, share);
+  return slips() ? holding(member, n_kept - 1, slip_loads, slip_readings) : member;
+}
+
 ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotation) {
   ReducedSystem out = member;
   for (Eigen::MatrixXd* A : {&out.M, &out.C, &out.K})
@@ -73,7 +79,7 @@ ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotati
 }
 
 ReducedFamily rotated(const ReducedFamily& family, const Eigen::MatrixXd& rotation) {
-  ReducedFamily out{rotated(family.fixed, rotation), {}, family.n_kept};
+  ReducedFamily out{rotated(family.fixed, rotation), {}, family.n_kept, family.slip_loads, family.slip_readings};
   for (const ReducedSystem& part : family.parts) out.parts.push_back(rotated(part, rotation));
   return out;
 }

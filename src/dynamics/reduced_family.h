@@ -14,9 +14,17 @@ struct ReducedFamily {
   ReducedSystem fixed;
   std::vector<ReducedSystem> parts;
   int n_kept = 0;
+  /// Where the members are of a body that slips: its last kept coordinate is the slip, and so many of the last loads
+  /// and readings are the slip's.
+  int slip_loads = 0, slip_readings = 0;
 
+  bool slips() const { return slip_loads > 0; }
   /// Throws std::invalid_argument where there are not as many factors as parts.
   ReducedSystem at(const std::vector<double>& factors) const;
+  /// The member with its slip held, where it slips; `share`: see leading().
+  ReducedSystem bonded(const std::vector<double>& factors, double share = 1.) const;
+  /// Coordinates that a bonded member keeps.
+  int n_kept_bonded() const { return n_kept - (slips() ? 1 : 0); }
 };
 
 /// The family in other coordinates q = rotation q_new: R x R', with orthonormal columns, each of one kind of unknowns.
@@ -32,6 +40,15 @@ ReducedSystem holding(const ReducedSystem& member, int coordinate, int fewer_loa
 /// A member as a System of its own, small and dense: its unknowns are the coordinates, the prescribed ones last. Loads,
 /// readings and their names are those of `of`, the System that was reduced.
 System as_system(const ReducedSystem& member, const System& of);
+
+/// Vectors per independent load of a member's own reduction: solves cost nothing beside eigenvalues, so that few models
+/// are compared.
+constexpr int first_of_member = 40, most_of_member = 200;
+
+/// Share of the directions that the smaller of two nested members has, by which a family's error is estimated.
+constexpr double nested_share = 0.5;
+/// The estimate is this multiple of the largest difference between both members' responses, see docs/soils.md.
+constexpr double nested_safety = 1.6;
 
 /// The index in as_system() of a coordinate.
 int unknown_of(const ReducedSystem& member, int coordinate);

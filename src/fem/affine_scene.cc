@@ -82,11 +82,6 @@ RegionConstants with_fluid(RegionConstants constants) {
 
 }  // namespace
 
-Coefficients coefficients(const Region& region, const Fluid& fluid, double gravity) {
-  if (region.kind == RegionKind::rigid) return {};
-  return coefficients(material(region, fluid, gravity), kind_of(region));
-}
-
 std::vector<double> AffineScene::factors(const std::map<std::string, Coefficients>& of_region) const {
   std::vector<double> list;
   for (const AffineTerm& term : terms)

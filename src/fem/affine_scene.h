@@ -15,12 +15,6 @@ namespace upbead {
 /// Which coefficients of a region's constants vary.
 using Varied = std::array<bool, n_coefficients>;
 
-/// A term of the sum.
-struct AffineTerm {
-  std::string region;
-  Coefficient coefficient = Coefficient::G;
-};
-
 /// A scene whose System is a sum of parts, multiplied by coefficients of the regions that vary. All that is decided by
 /// numbers is frozen as the scene has it: flow, deformation, compressibility, cells left out.
 struct AffineScene {
@@ -38,8 +32,5 @@ struct AffineScene {
 /// zero everywhere are left out. `with_interface` as in assemble_scene().
 AffineScene affine_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
                          const std::map<std::string, Varied>& varied, bool with_interface);
-
-/// The coefficients of a region whose choices are made.
-Coefficients coefficients(const Region& region, const Fluid& fluid, double gravity);
 
 }  // namespace upbead

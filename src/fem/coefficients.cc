@@ -85,6 +85,11 @@ Coefficients coefficients(const Material& m, CellKind kind) {
   return values;
 }
 
+Coefficients coefficients(const Region& region, const Fluid& fluid, double gravity) {
+  if (region.kind == RegionKind::rigid) return {};
+  return coefficients(material(region, fluid, gravity), kind_of(region));
+}
+
 bool is_of_damping(Coefficient c) {
   return c == C::mass_damping_rho || c == C::stiffness_damping_G || c == C::stiffness_damping_lambda;
 }

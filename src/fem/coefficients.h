@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 
-#include "fem/space.h"
+#include "fem/impedance.h"
 
 namespace upbead {
 
@@ -34,6 +35,15 @@ using Coefficients = std::array<double, n_coefficients>;
 
 /// Those of a material in cells of that kind; 0 where such a cell has no such term.
 Coefficients coefficients(const Material& material, CellKind kind);
+
+/// Those of a region whose choices are made.
+Coefficients coefficients(const Region& region, const Fluid& fluid, double gravity);
+
+/// A term of a System that is a sum over its soils' constants.
+struct AffineTerm {
+  std::string region;
+  Coefficient coefficient = Coefficient::G;
+};
 
 /// Constants with which a region has the terms of that coefficient alone, multiplied by 1; of a product of Rayleigh's
 /// factors beside them those of M or K.

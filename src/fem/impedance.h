@@ -19,6 +19,12 @@ struct Impedance {
 /// A, gives (sigma_n, -p) = -Z (u_n', W_n'). Of free water 1/(rho_f c), c = sqrt(K_f/rho_f), for its pressure alone.
 Impedance impedance(const Material& material, CellKind kind, bool open_to_waves);
 
+/// The constants of one region's terms: of its cells, and of sides that let waves out of them.
+struct RegionConstants {
+  Material material;
+  Impedance sealed, open;  ///< see impedance(): of sides whose pores are sealed, and of those that absorb pressure too
+};
+
 /// Speed of the fastest wave in a region (m/s): the undrained one; infinite in incompressible water and in soil full of
 /// it, 0 in a rigid region.
 double fastest_wave(const Region& region, const Fluid& fluid, double gravity);

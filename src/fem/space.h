@@ -31,12 +31,6 @@ using Dofs = std::vector<dealii::types::global_dof_index>;
 /// All degrees of freedom of a cell, in its own order.
 Dofs dofs_of(const Cell& cell);
 
-/// The constants of one region's terms: of its cells, and of sides that let waves out of them.
-struct RegionConstants {
-  Material material;
-  Impedance sealed, open;  ///< see impedance(): of sides whose pores are sealed, and of those that absorb pressure too
-};
-
 /// u in Q(k) where something moves, phi in Q(k-1) where there is pore water and in Q(k) in free water, W in DGQ(k-1)
 /// where the pore water has inertia; absent fields are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
 /// of convergence in docs/theory.md.

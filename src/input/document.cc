@@ -156,6 +156,15 @@ Document::Document(const std::vector<std::string>& overrides) {
   change(overrides);
 }
 
+Document Document::of_text(const std::string& text, const std::string& path,
+                           const std::vector<std::string>& overrides) {
+  Document document;
+  document.path_ = path;
+  document.root_ = parse_toml(text, path);
+  document.change(overrides);
+  return document;
+}
+
 void Document::change(const std::vector<std::string>& overrides) {
   Diagnostics mistakes;
   for (const std::string& text : overrides) try {

@@ -41,6 +41,18 @@ hid_t without_clock() {
   return creation;
 }
 
+/// The same of a dataset that is compressed as a whole; of one without numbers, which has nothing to compress, the
+/// same.
+hid_t packed_in_one(const std::vector<hsize_t>& shape) {
+  const hid_t creation = without_clock();
+  if (std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end()) return creation;
+  constexpr unsigned level = 6;
+  require(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
+  require(H5Pset_shuffle(creation));
+  require(H5Pset_deflate(creation, level));
+  return creation;
+}
+
 /// A string of `size` bytes, or H5T_VARIABLE.
 hid_t text_type(std::size_t size) {
   const hid_t type = H5Tcopy(H5T_C_S1);
@@ -104,11 +116,27 @@ void Hdf5Image::numbers_or_none(const std::string& path, const std::vector<doubl
   write_numbers(path, {values.size()}, values.data(), label);
 }
 
+void Hdf5Image::packed_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                               const Label& label) {
+  const auto n = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<std::size_t>());
+  require_finite(path, values, n);
+  const auto [at, is_new] = packed_.try_emplace({shape, {values, values + n}, label.unit, label.description}, path);
+  if (is_new) return write_numbers(path, shape, values, label, Handle(packed_in_one(shape), H5Pclose));
+  require(H5Lcreate_hard(file_, at->second.c_str(), file_, path.c_str(), links_, H5P_DEFAULT));
+  checksum_.add(path, {shape.begin(), shape.end()}, values);
+  checksum_.add({path, "unit"}, label.unit);
+  checksum_.add({path, "description"}, label.description);
+}
+
 void Hdf5Image::write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
                               const Label& label) {
+  write_numbers(path, shape, values, label, creation_);
+}
+
+void Hdf5Image::write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                              const Label& label, hid_t creation) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-  const Handle data(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, space, links_, creation_, H5P_DEFAULT),
-                    H5Dclose);
+  const Handle data(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, space, links_, creation, H5P_DEFAULT), H5Dclose);
   require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   attribute(path, "unit", label.unit);
   attribute(path, "description", label.description);

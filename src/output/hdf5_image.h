@@ -1,7 +1,9 @@
 // HDF5 files made in memory: the common part of all files of numbers that the program writes.
 #pragma once
 
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "hdf5_contents.h"
@@ -31,6 +33,10 @@ class Hdf5Image {
   void group(const std::string& path);
   /// Numbers row by row, with the attributes `unit` and `description`. Throws NumericsError where one is not finite.
   void numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const Label& label);
+  /// The same, compressed (deflate). Numbers that stand at another path already, with the same label, take no more
+  /// room.
+  void packed_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                      const Label& label);
   /// A list in which NaN stands for a missing number. Throws NumericsError where a number is infinite.
   void numbers_or_none(const std::string& path, const std::vector<double>& values, const Label& label);
   /// A list of texts (UTF-8).
@@ -47,8 +53,12 @@ class Hdf5Image {
  private:
   void write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
                      const Label& label);
+  void write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                     const Label& label, hid_t creation);
   Handle access_, file_, links_, creation_;
   Hdf5Checksum checksum_;
+  /// Path by shape, values, unit and description.
+  std::map<std::tuple<std::vector<hsize_t>, std::vector<double>, std::string, std::string>, std::string> packed_;
 };
 
 }  // namespace upbead::detail

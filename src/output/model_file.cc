@@ -178,10 +178,7 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
 
 }  // namespace
 
-std::string model_file(const ReducedModelFile& model) {
-  Hdf5Image image(model.title);
-  image.attribute("/", "kind", std::string(model_kind));
-  image.attribute("/", "format_version", model.still ? two_levels_version : model_version);
+void detail::write_model(Hdf5Image& image, const ReducedModelFile& model) {
   image.text("/case", model.case_text);
   write_attributes(image, "/case", fields_of_case, model);
   write_loads(image, model.loads);
@@ -202,12 +199,18 @@ std::string model_file(const ReducedModelFile& model) {
   if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
   if (model.circles) write_circles(image, *model.circles);
+}
+
+std::string model_file(const ReducedModelFile& model) {
+  Hdf5Image image(model.title);
+  image.attribute("/", "kind", std::string(reduced_model_kind.kind));
+  image.attribute("/", "format_version", model.still ? two_levels_version : model_version);
+  write_model(image, model);
   image.seal();
   return image.bytes();
 }
 
-ReducedModelFile read_model_file(const std::string& path) {
-  ModelParts parts(path);
+ReducedModelFile detail::read_model(ModelParts& parts) {
   ReducedModelFile model;
   model.title = parts.text("/", "title");
   model.case_text = parts.texts("/case", 1).front();
@@ -224,6 +227,12 @@ ReducedModelFile read_model_file(const std::string& path) {
   add_still_water(model);
   model.slip = read_slip(parts);
   model.circles = read_circles(parts, model.modes.load_name);
+  return model;
+}
+
+ReducedModelFile read_model_file(const std::string& path) {
+  ModelParts parts(path, {reduced_model_kind});
+  ReducedModelFile model = read_model(parts);
   parts.require_checksum();
   parts.throw_if_any();
   return model;

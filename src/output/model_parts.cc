@@ -1,6 +1,7 @@
 #include "model_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/numbers.h"
@@ -12,8 +13,22 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr const char* made_by = "a model made by 'upbead reduce'";
-constexpr const char* again = "make it again with 'upbead reduce'";
+std::string command_in_quotes(const ModelKind& kind) {
+  return "'" + std::string(kind.command) + "'";
+}
+
+std::string made_by(const ModelKind& kind) {
+  return "a model made by " + command_in_quotes(kind);
+}
+
+std::string again(const ModelKind& kind) {
+  return "make it again with " + command_in_quotes(kind);
+}
+
+std::string formats(const ModelKind& kind) {
+  if (kind.oldest == kind.newest) return "reads format " + std::to_string(kind.oldest);
+  return "reads formats " + std::to_string(kind.oldest) + " and " + std::to_string(kind.newest);
+}
 
 std::string to_string(const ModelParts::Shape& shape) {
   std::vector<std::string> sizes;
@@ -24,15 +39,19 @@ std::string to_string(const ModelParts::Shape& shape) {
 
 }  // namespace
 
-ModelParts::ModelParts(const std::string& path) : path_(path), file_(path, made_by) {
-  if (file_.text_attribute("/", "kind").value_or("") != model_kind)
-    throw InputError({path_}, "an HDF5 file, but no reduced model", std::string("give ") + made_by);
+ModelParts::ModelParts(const std::string& path, const std::vector<ModelKind>& kinds)
+    : path_(path), file_(path, made_by(kinds.front())), kind_(kinds.front()) {
+  const std::string told = file_.text_attribute("/", "kind").value_or("");
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ModelKind& kind) { return told == kind.kind; });
+  if (found == kinds.end())
+    throw InputError({path_}, "an HDF5 file, but no " + std::string(kind_.name), "give " + made_by(kind_));
+  kind_ = *found;
   const double version = file_.number_attribute("/", "format_version").value_or(0.);
-  if (version != model_version && version != two_levels_version)
-    throw InputError({path_},
-                     "a reduced model in format " + significant(version) + "; this program reads formats " +
-                         std::to_string(model_version) + " and " + std::to_string(two_levels_version),
-                     std::string(again) + " of the same version");
+  if (version < kind_.oldest || version > kind_.newest || version != std::floor(version))
+    throw InputError(
+        {path_},
+        "a " + std::string(kind_.name) + " in format " + significant(version) + "; this program " + formats(kind_),
+        again(kind_) + " of the same version");
 }
 
 std::string ModelParts::text(const std::string& object, const std::string& name) {
@@ -113,16 +132,23 @@ std::size_t ModelParts::length(const std::string& path) const {
 
 void ModelParts::require_checksum() {
   if (mistakes_.empty() && !file_.checksum_holds().value_or(true))
-    wrong("its checksum does not fit: numbers or texts were changed after 'upbead reduce' had written them");
+    wrong("its checksum does not fit: numbers or texts were changed after " + command_in_quotes(kind_) +
+          " had written them");
 }
 
 void ModelParts::wrong(const std::string& what) {
-  mistakes_.add({path_}, what, again);
+  mistakes_.add({path_}, what, again(kind_));
 }
 
 void write_matrix(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label) {
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
+  const RowMajor rows = values;
   image.numbers(path, {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())}, rows.data(), label);
+}
+
+void write_packed(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label) {
+  const RowMajor rows = values;
+  image.packed_numbers(path, {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())}, rows.data(),
+                       label);
 }
 
 void write_labels(Hdf5Image& image, const std::string& group, const std::vector<ReadingLabel>& labels) {
@@ -146,6 +172,27 @@ std::vector<ReadingLabel> read_labels(ModelParts& parts, const std::string& grou
   std::vector<ReadingLabel> labels;
   for (std::size_t i = 0; i < size; ++i) labels.push_back({names[i], units[i], descriptions[i]});
   return labels;
+}
+
+std::vector<int> read_indices(ModelParts& parts, const std::string& path, std::size_t size, int least, int end) {
+  std::vector<int> list;
+  for (const double value : parts.numbers(path, {size})) {
+    const bool fits = value >= least && value < end && value == std::floor(value);
+    if (!fits) parts.wrong(path + " holds " + significant(value));
+    list.push_back(fits ? static_cast<int>(value) : least);
+  }
+  return list;
+}
+
+void require_prescribed(ModelParts& parts, const std::string& group, const ReducedSystem& s) {
+  std::vector<int> coordinates;
+  for (const int p : s.prescribed)
+    if (p >= 0) coordinates.push_back(p);
+  std::sort(coordinates.begin(), coordinates.end());
+  std::vector<int> first(static_cast<std::size_t>(std::clamp(s.n_prescribed, 0, s.size())));
+  std::iota(first.begin(), first.end(), 0);
+  if (coordinates != first || s.n_prescribed > s.size())
+    parts.wrong(group + "/prescribed does not fit its n_prescribed, " + std::to_string(s.n_prescribed));
 }
 
 }  // namespace upbead::detail

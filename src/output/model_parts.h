@@ -12,17 +12,29 @@
 
 namespace upbead::detail {
 
-inline const char* const model_kind = "upbead reduced model";
-constexpr int model_version = 1;  ///< of the layout; raise it when a reader of the old layout would misread the new one
+/// A kind of file that holds a model.
+struct ModelKind {
+  const char* kind;     ///< the attribute of the root
+  int oldest;           ///< format of the layout
+  int newest;           ///< raise it when a reader of the old layout would misread the new one
+  const char* name;     ///< in messages
+  const char* command;  ///< that makes it
+};
+constexpr int model_version = 1;
 constexpr int two_levels_version = 2;  ///< of files with /still_water, without which S and margins are too good
+inline constexpr ModelKind reduced_model_kind{"upbead reduced model", model_version, two_levels_version,
+                                              "reduced model", "upbead reduce"};
+inline constexpr ModelKind soil_model_kind{"upbead soil model", 1, 1, "model of soils", "upbead reduce --soils"};
 
 /// Reads parts of a model and collects their mistakes; a wrong part is returned as zeros or empty texts.
 class ModelParts {
  public:
   using Shape = std::vector<std::size_t>;
 
-  /// Throws InputError where the file cannot be read, is no reduced model, or has another format.
-  explicit ModelParts(const std::string& path);
+  /// Throws InputError where the file cannot be read, is of none of these kinds, or has another format.
+  ModelParts(const std::string& path, const std::vector<ModelKind>& kinds);
+  /// That of the file.
+  const ModelKind& kind() const { return kind_; }
 
   /// An attribute.
   std::string text(const std::string& object, const std::string& name);
@@ -42,27 +54,38 @@ class ModelParts {
   Eigen::MatrixXcd complex_matrix(const std::string& path, Shape shape);
   /// The length of a dataset's first axis; 0 where it has none.
   std::size_t length(const std::string& path) const;
+  bool has_dataset(const std::string& path) const { return file_.numbers(path).has_value(); }
 
   /// Notes a mistake where all parts are valid but the checksum shows that the file was changed. A file without a
   /// checksum, from an older version, is accepted.
   void require_checksum();
   /// Notes a mistake.
   void wrong(const std::string& what);
+  bool is_sound() const { return mistakes_.empty(); }
   void throw_if_any() const { mistakes_.throw_if_any(); }
 
  private:
   std::string path_;
   Hdf5Reader file_;
+  ModelKind kind_;
   Diagnostics mistakes_;
 };
 
 /// Writes a matrix row by row.
 void write_matrix(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label);
 
+/// The same, compressed.
+void write_packed(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label);
+
 /// Writes names, units and descriptions of readings, in a group of their own.
 void write_labels(Hdf5Image& image, const std::string& group, const std::vector<ReadingLabel>& labels);
 /// Reads the same from a file, and notes mistakes.
 std::vector<ReadingLabel> read_labels(ModelParts& parts, const std::string& group);
+
+/// Integers from `least` up to, but not including, `end`; notes others.
+std::vector<int> read_indices(ModelParts& parts, const std::string& path, std::size_t size, int least, int end);
+/// Each of the first coordinates must be prescribed by one load, and no other coordinate by any load.
+void require_prescribed(ModelParts& parts, const std::string& group, const ReducedSystem& system);
 
 /// Fields are a function that passes name and value of each attribute to a visitor, the same for the writer and the
 /// reader.
@@ -101,5 +124,10 @@ void write_slip(Hdf5Image& image, const ModelSlip& slip);
 
 /// Reads that group, and notes mistakes; none where the file has no such group.
 std::optional<ModelSlip> read_slip(ModelParts& parts);
+
+/// Writes all of a reduced model but the kind of the file.
+void write_model(Hdf5Image& image, const ReducedModelFile& model);
+/// Reads the same, and notes mistakes.
+ReducedModelFile read_model(ModelParts& parts);
 
 }  // namespace upbead::detail

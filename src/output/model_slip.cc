@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/text.h"
 #include "dynamics/slip_model.h"
@@ -51,26 +50,15 @@ void write_readings(Hdf5Image& image, const ReducedSystem& s) {
   write_labels(image, group + "/readings", s.reading_label);
 }
 
-/// Integers from `least` up to, but not including, `end`.
-std::vector<int> indices(ModelParts& parts, const std::string& path, std::size_t size, int least, int end) {
-  std::vector<int> list;
-  for (const double value : parts.numbers(path, {size})) {
-    const bool fits = value >= least && value < end && value == std::floor(value);
-    if (!fits) parts.wrong(path + " holds " + significant(value));
-    list.push_back(fits ? static_cast<int>(value) : least);
-  }
-  return list;
-}
-
 void read_equations(ModelParts& parts, ReducedSystem& s) {
   const std::size_t size = parts.length(group + "/is_phi");
-  for (const int phi : indices(parts, group + "/is_phi", size, 0, 2)) s.is_phi.push_back(phi == 1);
+  for (const int phi : read_indices(parts, group + "/is_phi", size, 0, 2)) s.is_phi.push_back(phi == 1);
   s.load_name = parts.texts(group + "/load_name");
   s.M = parts.matrix(group + "/M", size, size);
   s.C = parts.matrix(group + "/C", size, size);
   s.K = parts.matrix(group + "/K", size, size);
   s.load = parts.matrix(group + "/load", size, s.load_name.size());
-  s.prescribed = indices(parts, group + "/prescribed", s.load_name.size(), -1, s.size());
+  s.prescribed = read_indices(parts, group + "/prescribed", s.load_name.size(), -1, s.size());
 }
 
 void read_readings(ModelParts& parts, ReducedSystem& s) {
@@ -119,21 +107,9 @@ void require_energies(ModelParts& parts, const ReducedSystem& s) {
     parts.wrong(group + "/K is not that of a strain energy: not symmetric, or negative");
 }
 
-/// Each of the first coordinates must be prescribed by one load, and no other coordinate by any load.
-void require_prescribed(ModelParts& parts, const ReducedSystem& s) {
-  std::vector<int> coordinates;
-  for (const int p : s.prescribed)
-    if (p >= 0) coordinates.push_back(p);
-  std::sort(coordinates.begin(), coordinates.end());
-  std::vector<int> first(static_cast<std::size_t>(std::clamp(s.n_prescribed, 0, s.size())));
-  std::iota(first.begin(), first.end(), 0);
-  if (coordinates != first || s.n_prescribed > s.size())
-    parts.wrong(group + "/prescribed does not fit its n_prescribed, " + std::to_string(s.n_prescribed));
-}
-
 /// Checks what slip_model() assumes.
 void require_slip(ModelParts& parts, const ReducedSystem& s) {
-  require_prescribed(parts, s);
+  require_prescribed(parts, group, s);
   require_energies(parts, s);
   if (s.load_name.empty() || s.load_name.back() != slip_name::friction)
     parts.wrong(group + "/load_name does not end with '" + slip_name::friction + "'");

@@ -20,6 +20,7 @@ struct NamedWave {
 struct Answers {
   const ReducedModelFile* model;
   std::string path;
+  std::map<std::string, double> soil;
   std::vector<NamedWave> waves;
   RespondTiming timing;
   NumberedWarnings warnings;
@@ -100,7 +101,11 @@ OutputSchema<Answers> model_outputs() {
       .key("file", &A::path, "", "its path")
       .key("error", inner(&A::model, &M::error), "", "of the history of F_T over its peak")
       .key("tolerance", inner(&A::model, &M::tolerance), "", "that was asked for, relative")
-      .key("highest_frequency", inner(&A::model, &M::highest_frequency), "Hz", "up to which it has been checked");
+      .key("highest_frequency", inner(&A::model, &M::highest_frequency), "Hz", "up to which it has been checked")
+      .key(
+          "soil.KEY", [](const A& a) { return Json(a.soil); }, "",
+          "value of each key that a [model of soils](soils.md) varies; only with such a model")
+      .or_left_out();
 }
 
 const OutputSchema<Answers>& answers_outputs() {
@@ -184,8 +189,9 @@ std::string WaveResponses::wave_name(std::size_t wave) const {
   return waves.size() == 1 ? name : name + "[" + std::to_string(wave) + "]";
 }
 
-std::string response_file(const std::string& title, const std::vector<WaveResponses>& files) {
-  detail::Hdf5Image image(title);
+std::string response_file(const AnsweredModel& of, const std::vector<WaveResponses>& files) {
+  detail::Hdf5Image image(of.model.title);
+  if (!of.soil.empty()) image.attribute("/", "soil", Json(of.soil).dump());
   for (const WaveResponses& file : files) {
     write_histories(image, file);
     std::vector<Json> waves;
@@ -209,9 +215,13 @@ std::vector<OutputRow> rows_of_respond() {
   return answers_outputs().rows();
 }
 
-std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
-                    const RespondTiming& timing, const NumberedWarnings& warnings) {
-  Answers answers{&model, path, {}, timing, warnings};
+std::string to_json(const WaveResponse& wave) {
+  return wave_outputs().text(wave);
+}
+
+std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
+                    const NumberedWarnings& warnings) {
+  Answers answers{&of.model, of.path, of.soil, {}, timing, warnings};
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w) answers.waves.push_back({file.wave_name(w), &file.waves[w]});
   return answers_outputs().to_json(answers).dump(2) + "\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,14 +74,24 @@ struct RespondTiming {
   double read = 0., respond = 0., write = 0., total = 0.;
 };
 
+/// What was answered: a model, its file, and the soil where it has many (key and value).
+struct AnsweredModel {
+  const ReducedModelFile& model;
+  std::string path;
+  std::map<std::string, double> soil{};
+};
+
 /// The bytes of responses.h5: one group for each file, as docs/output.md describes it. Throws NumericsError where a
 /// number is not finite.
-std::string response_file(const std::string& title, const std::vector<WaveResponses>& files);
+std::string response_file(const AnsweredModel& of, const std::vector<WaveResponses>& files);
 
-/// summary.json of `respond`. `path`: of the model's file; `warnings`: docs/warnings.md. To be called after
-/// response_file(), which checks the numbers.
-std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
-                    const RespondTiming& timing, const NumberedWarnings& warnings = {});
+/// A wave with the keys that it has in the summary. Throws NumericsError where a number is not finite.
+std::string to_json(const WaveResponse& wave);
+
+/// summary.json of `respond`. `warnings`: docs/warnings.md. To be called after response_file(), which checks the
+/// numbers.
+std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
+                    const NumberedWarnings& warnings = {});
 
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_respond();

@@ -110,11 +110,7 @@ class Builder {
 }  // namespace
 
 CompiledScene SoilFamily::at(const Factors& factors, double share) const {
-  ReducedSystem member = reduced.at(factors);
-  if (share < 1.) member = leading(member, reduced.n_kept, share);
-  if (slipping)
-    member = holding(member, reduced.n_kept - 1, static_cast<int>(slipping->loads.size() - like.system.loads.size()),
-                     static_cast<int>(slipping->readings.size() - like.system.readings.size()));
+  const ReducedSystem member = reduced.bonded(factors, share);
   CompiledScene compiled = like;
   compiled.system = as_system(member, like.system);
   for (std::size_t i = 0; i < compiled.body_coordinates.size(); ++i)
@@ -202,6 +198,12 @@ int farthest(const std::vector<Factors>& candidates) {
   return found;
 }
 
+void count_slip(SoilFamily& family) {
+  const System &bonded = family.like.system, &slips = *family.slipping;
+  family.reduced.slip_loads = static_cast<int>(slips.loads.size() - bonded.loads.size());
+  family.reduced.slip_readings = static_cast<int>(slips.readings.size() - bonded.readings.size());
+}
+
 }  // namespace
 
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
@@ -225,6 +227,7 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     const double end = static_cast<double>(made.points.size()) / options.most_points;
     builder.add_points(points, part_of(options.progress, begin, 0.5 * (begin + end)));
     made.family.reduced = builder.family();
+    if (made.family.slipping) count_slip(made.family);
     next = candidates.worst(made.family, points_at_once);
     made.estimates.push_back(candidates.largest());
     const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();

@@ -18,8 +18,7 @@ using Factors = std::vector<double>;
 struct SoilFamily {
   ReducedFamily reduced;
   CompiledScene like;  ///< of the bonded scene that was reduced; its system has no matrices
-  /// Where the family is that of a caisson that slips as a whole: its system, without matrices. The bonded one is that
-  /// with s = 0, whose coordinate is the last that is kept.
+  /// Where the family is that of a caisson that slips as a whole: its system, without matrices.
   std::optional<System> slipping;
 
   /// The bonded scene with that soil as a small dense System, whose unknowns are coordinates of the basis; `share`: of
@@ -28,15 +27,6 @@ struct SoilFamily {
   /// The same of a caisson that slips, see slip_system(). To be called where `slipping` is there.
   SlipSystem slips_at(const Factors& factors) const;
 };
-
-/// Vectors per independent load of a member's own reduction: solves cost nothing beside eigenvalues, so that few models
-/// are compared.
-constexpr int first_of_member = 40, most_of_member = 200;
-
-/// Share of the directions that the smaller of two nested models has, by which a family's error is estimated.
-constexpr double nested_share = 0.5;
-/// The estimate is this multiple of the largest difference of both models' F_T, see docs/soils.md.
-constexpr double nested_safety = 1.6;
 
 struct SoilFamilyOptions {
   std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next

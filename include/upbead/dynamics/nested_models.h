@@ -15,6 +15,8 @@ struct System;
 struct NestedModels {
   ModalModel middle, reference;
   int solves = 0, factorisations = 0;  ///< what both cost
+  /// Safety factor on the difference between both in the bound of an answer's error: docs/reduced.md.
+  double safety = 1.5;
 };
 
 /// The Krylov space of the model in question.

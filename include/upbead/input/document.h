@@ -18,6 +18,9 @@ class Document {
   Document(const std::string& path, const std::vector<std::string>& overrides);
   /// A document of overrides alone, without a file.
   explicit Document(const std::vector<std::string>& overrides);
+  /// The same of TOML `text`; messages name `path` as its file.
+  static Document of_text(const std::string& text, const std::string& path,
+                          const std::vector<std::string>& overrides = {});
 
   const std::string& path() const { return path_; }
   const Node& root() const { return root_; }

@@ -1,0 +1,45 @@
+// One reduced model for a box of soils, and the reduced model of each of them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/soil_model_file.h"
+#include "respond/soil_text.h"
+
+namespace upbead {
+
+/// Makes the reduced model of any soil of a box from the file of a family.
+class SoilAnswers {
+ public:
+  /// `path`: of the file, for messages. Throws InputError where the texts of the file do not fit its numbers.
+  SoilAnswers(SoilModelFile file, std::string path);
+
+  const SoilModelFile& file() const { return file_; }
+  /// All keys of the box, those that are not given with the case's value. Throws InputError where one lies outside the
+  /// box, or is none of its keys.
+  Soil whole(const Soil& given) const;
+  /// Coefficients by part. `whole`: has all keys of the box.
+  std::vector<double> factors(const Soil& whole) const;
+  /// A model as `upbead reduce` makes it, for a soil that has all keys of the box. Its `nested` are the member itself
+  /// as the reference and the member in fewer coordinates as the middle model, so that the error of each wave is
+  /// estimated as in docs/soils.md. Throws NumericsError where the member does not reduce.
+  ReducedModelFile at(const Soil& whole) const;
+  /// "regions.seabed.shear_modulus from 1e6 to 1e8, ...".
+  std::string box_text() const;
+
+ private:
+  SoilModelFile file_;
+  std::string path_;
+  SoilText text_;
+  System like_;  ///< see without_matrices()
+};
+
+/// "regions.seabed.shear_modulus = 25000000, ...".
+std::string soil_in_words(const Soil& soil);
+
+/// Soils as options tell them, KEY=NUMBER. Throws InputError.
+Soil soil_of_options(const std::vector<std::string>& options);
+
+}  // namespace upbead
