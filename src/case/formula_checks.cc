@@ -39,6 +39,7 @@ class FormulaChecks {
     check.by = "formulas";
     check.wave = answer_.wave;
     check.level = answer_.level;
+    check.has_rival = assumption != standing_wave;  // dynamics solve the wave that breaks
     return check;
   }
 

@@ -167,11 +167,12 @@ Checks base_checks(const Scene& scene, const Summary& summary) {
   list.push_back(held_to(check_of(FailureMode::toe_pressure, "toe pressure in motion", "Pa", base.peak_toe_pressure,
                                   "base.peak_toe_pressure", linear),
                          scene.limits, limit));
-  if (base.least_overturning_margin)
-    list.push_back(
-        held_to(check_of(FailureMode::overturning, "margin against overturning", "", base.least_overturning_margin,
-                         "base.least_overturning_margin", about_uplift(scene) + "; a rigid base"),
-                scene.limits, &Limits::overturning));
+  if (base.least_overturning_margin) {
+    Check margin = check_of(FailureMode::overturning, "margin against overturning", "", base.least_overturning_margin,
+                            "base.least_overturning_margin", about_uplift(scene) + "; a rigid base");
+    margin.has_rival = true;
+    list.push_back(held_to(margin, scene.limits, &Limits::overturning));
+  }
   if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base));
   return list;
 }

@@ -62,18 +62,15 @@ List gather(const std::vector<Finding>& all, std::function<List(Given...)> Findi
   return list;
 }
 
-/// A check by formulas, and that of the same question by dynamics.
-struct OneQuestion {
-  const char *formula, *dynamic;
-};
+bool is_by_formulas(const Check& check) {
+  return check.by == "formulas";
+}
 
-constexpr OneQuestion same_questions[] = {{"sliding by formulas", "force against friction"},
-                                          {"sliding seaward by formulas", "force against friction, seaward"},
-                                          {"sliding distance by formulas", "sliding distance"},
-                                          {"overturning by formulas", "margin against overturning"}};
-
-const Check* answer_to(const std::string& name, const Checks& checks) {
-  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.name == name; });
+/// What dynamics say of that which a check by formulas judges; null where they say nothing.
+const Check* rival_of(const Check& formula, const Checks& checks) {
+  const auto found = std::find_if(checks.begin(), checks.end(), [&formula](const Check& check) {
+    return check.has_rival && !is_by_formulas(check) && check.mode == formula.mode;
+  });
   return found != checks.end() && found->holds ? &*found : nullptr;
 }
 
@@ -112,16 +109,16 @@ Checks checks_of(const Scene& scene, const Summary& summary, const std::vector<F
 
 NumberedWarnings route_warnings(const Checks& checks) {
   NumberedWarnings list;
-  for (const Check& formula : checks)
-    for (const auto& [by_formula, by_dynamics] : same_questions) {
-      const Check* dynamic = answer_to(by_dynamics, checks);
-      if (formula.name != by_formula || !formula.holds || !dynamic || *dynamic->holds == *formula.holds) continue;
-      list.push_back({"routes_differ", formula.margin.value_or(0.), dynamic->margin.value_or(0.), "1",
-                      "by formulas: " + text_of(formula) + "; by dynamics: " + text_of(*dynamic) +
-                          ". These are two routes to one answer, and neither makes the other void: the worse governs",
-                      "look at the peak of the load (peak_gain), its duration, the soils and mu before one of them is "
-                      "believed"});
-    }
+  for (const Check& formula : checks) {
+    if (!formula.has_rival || !is_by_formulas(formula) || !formula.holds) continue;
+    const Check* dynamic = rival_of(formula, checks);
+    if (!dynamic || *dynamic->holds == *formula.holds) continue;
+    list.push_back({"routes_differ", formula.margin.value_or(0.), dynamic->margin.value_or(0.), "1",
+                    "by formulas: " + text_of(formula) + "; by dynamics: " + text_of(*dynamic) +
+                        ". These are two routes to one answer, and neither makes the other void: the worse governs",
+                    "look at the peak of the load (peak_gain), its duration, the soils and mu before one of them is "
+                    "believed"});
+  }
   return list;
 }
 

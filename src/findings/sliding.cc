@@ -121,6 +121,7 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
                        sliding.history.peak_force + still_push(summary, 1.), "sliding.peak_sliding_force", of_bonded),
               sliding.history.resistance));
   list.push_back(seaward_check(scene, summary, of_bonded));
+  for (Check& check : list) check.has_rival = true;
   return list;
 }
 

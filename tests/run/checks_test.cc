@@ -48,6 +48,7 @@ Check by_formulas(const std::string& name, double demand) {
   Check check = at_least_as(check_of(FailureMode::sliding, name, "", demand, "", ""), 1.);
   check.by = "formulas";
   check.wave = "storm";
+  check.has_rival = true;
   return check;
 }
 
@@ -82,13 +83,24 @@ TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {
   for (const auto& [safety, peak, warned] : {std::tuple(0.952, 1.6e6, true), std::tuple(1.05, 1.9e6, true),
                                              std::tuple(0.952, 1.9e6, false), std::tuple(1.05, 1.6e6, false)}) {
     s.sliding->history.peak_force = peak;
-    s.formula_checks = {by_formulas("sliding by formulas", safety)};
+    s.formula_checks = {by_formulas("whatever its name", safety)};
     const Summary found = judged(judged(s));
     EXPECT_EQ(found.warnings.size(), warned ? 1U : 0U) << safety << " " << peak;
     if (warned) {
       EXPECT_EQ(found.warnings.front().name, "routes_differ");
       EXPECT_TRUE(has(found.warnings.front().text(), "the worse governs"));
     }
+  }
+}
+
+TEST(Checks, ACheckOfAnotherWayToFailOrWithoutRivalContradictsNothing) {
+  Summary s = summary();
+  for (const auto& [mode, has_rival] : {std::pair(FailureMode::tilt, true), std::pair(FailureMode::sliding, false)}) {
+    Check check = by_formulas("sliding by formulas", 0.952);
+    check.mode = mode;
+    check.has_rival = has_rival;
+    s.formula_checks = {check};
+    EXPECT_TRUE(judged(s).warnings.empty());
   }
 }
 

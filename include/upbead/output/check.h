@@ -52,6 +52,7 @@ struct Check {
   std::string wave;                ///< the load or wave that demands it; "": all loads of the scene
   std::string level;               ///< of still water, at which it is worst; "": that of the section
   std::string why_not;             ///< it was not checked; "" where it was
+  bool has_rival = false;          ///< formulas and dynamics both judge this: with one mode they should agree
   bool at_least = false;           ///< whether the demand must not fall below the capacity
   std::optional<Balance> balance;  ///< of a demand that is a factor: what acts and what resists, where they are known
   std::optional<double> probability;  ///< of a demand that is a reliability index: of failure
