@@ -7,6 +7,7 @@
 #include "base/cores.h"
 #include "base/files.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
 #include "study/local_pool.h"
@@ -21,7 +22,9 @@ namespace {
 
 constexpr int exit_input = 1, exit_failed_runs = 2, exit_signal = 128;
 
-const std::vector<std::string> study_files{"study.csv", "study.h5", "summary.json", "journal/*.jsonl", "runs/*.json"};
+const std::vector<std::string> study_files{"study.csv",       "study.h5",           "summary.json",
+                                           "journal/*.jsonl", "journal/soils-*.h5", "journal/soils-*.txt",
+                                           "runs/*.json"};
 
 struct StudyOptions : CommonOptions {
   int jobs = 0;  ///< 0: one per core
@@ -49,7 +52,7 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
     if (pool.rank() == 0 && progress.due()) progress.draw(pool.done(), pool.failed());
   };
   Journal journal(options.out, study, pool.rank());
-  Runner runner(study, !options.no_sharing, options.trusts_scripts);
+  Runner runner(study, options.out, !options.no_sharing, options.trusts_scripts);
   for (std::size_t i = static_cast<std::size_t>(pool.take()); i < pieces.size();
        i = static_cast<std::size_t>(pool.take()))
     for (const int run : pieces[i]) {
@@ -88,7 +91,7 @@ int work_in_processes(const Study& study, const std::vector<std::vector<int>>& p
 int serve(const StudyWorker& worker, const StudyOptions& options) {
   const Study study = read_study(options.file, options.overrides);
   Journal journal(options.out, study, worker.rank);
-  Runner runner(study, !options.no_sharing, options.trusts_scripts);
+  Runner runner(study, options.out, !options.no_sharing, options.trusts_scripts);
   worker.serve([&](int run) {
     const RunResult result = runner.run(run, [] {});
     journal.add(run, result);
@@ -146,6 +149,11 @@ Results done_before(const Study& study, const StudyOptions& options, StudyAccoun
   return read.results;
 }
 
+void make_families(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options) {
+  if (options.no_sharing || pieces.empty()) return;
+  make_soil_families(study, pieces, options.out, options.trusts_scripts, shown_progress("one model for many soils"));
+}
+
 /// Runs the study in this process, or in processes of this machine.
 int run_alone(const StudyOptions& options, const Stopwatch& since_start) {
   const Study study = read_study(options.file, options.overrides);
@@ -161,6 +169,7 @@ int run_alone(const StudyOptions& options, const Stopwatch& since_start) {
   account.processes = std::max(1, std::min(jobs, static_cast<int>(pieces.size())));
   note_interrupts();
   try {
+    make_families(study, pieces, options);
     if (account.processes > 1) {
       if (const int code = work_in_processes(study, pieces, options, account); code != 0) return code;
     } else if (!pieces.empty()) {
@@ -207,6 +216,8 @@ int run_among(const StudyOptions& options, const Stopwatch& since_start) {
         schedule(study, done_before(study, options, account, pool.rank() == 0));
     pool.meet();  // all processes read before any writes
     note_interrupts();
+    if (pool.rank() == 0) make_families(study, pieces, options);
+    pool.meet();
     if (!pieces.empty()) work(study, pieces, options, pool);
     account.processes = pool.size();
     account.seconds = since_start.seconds();

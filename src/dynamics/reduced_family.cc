@@ -1,5 +1,6 @@
 #include "dynamics/reduced_family.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -142,6 +143,27 @@ System as_system(const ReducedSystem& member, const System& of) {
     system.readings.push_back(std::move(reading));
   }
   return system;
+}
+
+FieldBasis of_bonded_members(FieldBasis phi, const ReducedFamily& family) {
+  const int held = family.slips() ? family.n_kept - 1 : family.fixed.size();
+  const int size = family.fixed.size() - (family.slips() ? 1 : 0), p = family.fixed.n_prescribed;
+  for (int& coordinate : phi.coordinate) {
+    const int of_member = coordinate - (coordinate > held ? 1 : 0);
+    coordinate = of_member < p ? size - p + of_member : of_member - p;
+  }
+  return phi;
+}
+
+FieldBasis in_scene(const FieldBasis& of_reduction, const FieldBasis& phi) {
+  const Eigen::MatrixXd coordinates = of_reduction.unit.asDiagonal() * of_reduction.columns();
+  Eigen::MatrixXd used = Eigen::MatrixXd::Zero(phi.n(), of_reduction.n());
+  for (std::size_t i = 0; i < of_reduction.unknown.size(); ++i) {
+    const auto column = std::find(phi.coordinate.begin(), phi.coordinate.end(), of_reduction.unknown[i]);
+    if (column == phi.coordinate.end()) throw std::invalid_argument("a member has another phi than its family");
+    used.row(column - phi.coordinate.begin()) = coordinates.row(static_cast<Eigen::Index>(i));
+  }
+  return {phi.unknown, phi.unit, product(phi.columns(), used), of_reduction.coordinate};
 }
 
 }  // namespace upbead

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "upbead/dynamics/krylov.h"
 #include "upbead/dynamics/reduced_system.h"
 #include "upbead/system/system.h"
 
@@ -44,6 +45,11 @@ System as_system(const ReducedSystem& member, const System& of);
 /// Vectors per independent load of a member's own reduction: solves cost nothing beside eigenvalues, so that few models
 /// are compared.
 constexpr int first_of_member = 40, most_of_member = 200;
+
+/// The basis of phi of a family as that of its bonded members: a column's `coordinate` is an unknown of as_system().
+FieldBasis of_bonded_members(FieldBasis phi, const ReducedFamily& family);
+/// The basis of phi of a member's own reduction, in unknowns of the scene; `phi`: see of_bonded_members().
+FieldBasis in_scene(const FieldBasis& of_reduction, const FieldBasis& phi);
 
 /// Share of the directions that the smaller of two nested members has, by which a family's error is estimated.
 constexpr double nested_share = 0.5;

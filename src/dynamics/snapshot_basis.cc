@@ -70,4 +70,13 @@ Eigen::MatrixXd SnapshotBasis::sorting() const {
   return rotation;
 }
 
+FieldBasis SnapshotBasis::phi_in(const Eigen::MatrixXd& rotation) const {
+  FieldBasis turned{phi_.unknown, phi_.unit, {}, {}};
+  const Eigen::MatrixXd of_phi = rotation(phi_.coordinate, Eigen::all);
+  for (Eigen::Index j = 0; j < of_phi.cols(); ++j)
+    if (!of_phi.col(j).isZero(0.)) turned.coordinate.push_back(static_cast<int>(j));
+  turned.vectors = product(phi_.columns(), of_phi(Eigen::all, turned.coordinate).eval());
+  return turned;
+}
+
 }  // namespace upbead

@@ -26,6 +26,8 @@ class SnapshotBasis {
   /// To coordinates in which directions of each kind are sorted by what they hold of all snapshots, the most first; the
   /// exact ones stay. Its columns are the new coordinates: the kept ones, then both kinds in turns.
   Eigen::MatrixXd sorting() const;
+  /// The basis of phi in coordinates that are turned by such a matrix.
+  FieldBasis phi_in(const Eigen::MatrixXd& rotation) const;
 
  private:
   void add(FieldBasis& basis, Eigen::MatrixXd& held, const Eigen::MatrixXd& of, double rest);

@@ -92,6 +92,15 @@ void write_names(Hdf5Image& image, const std::string& group, const std::vector<R
   write_indices(image, group + "/readings/node", node, "number of a node; -1: none");
 }
 
+void write_phi(Hdf5Image& image, const std::string& group, const FieldBasis& phi) {
+  image.group(group);
+  write_indices(image, group + "/unknown", {phi.unknown.begin(), phi.unknown.end()}, "row of phi among the unknowns");
+  write_indices(image, group + "/coordinate", {phi.coordinate.begin(), phi.coordinate.end()},
+                "of the family, by column");
+  image.numbers(group + "/unit", {phi.unknown.size()}, phi.unit.data(), {"Pa s", "by row"});
+  write_matrix(image, group + "/vectors", phi.columns(), {"1", "phi = unit vectors q"});
+}
+
 void write_training(Hdf5Image& image, const std::string& group, const SampledLoads& training) {
   image.numbers(group + "/time", {training.time.size()}, training.time.data(),
                 {"s", "of the histories under which a member is reduced"});
@@ -100,10 +109,10 @@ void write_training(Hdf5Image& image, const std::string& group, const SampledLoa
 }
 
 void write_made(Hdf5Image& image, const std::string& group, const SoilFamilyFile& family) {
-  write_matrix(image, group + "/points", family.points, {"", "soils that were solved, by axis of the box"});
-  write_matrix(image, group + "/factors", family.factors, {"", "coefficients of these soils, by part"});
-  image.numbers(group + "/estimates", {family.estimates.size()}, family.estimates.data(),
-                {"1", "largest estimate of F_T's error over its peak among the candidates, after each point"});
+  write_matrix(image, group + "/factors", family.factors, {"", "coefficients of the soils that were solved, by part"});
+  image.numbers(
+      group + "/estimates", {family.estimates.size()}, family.estimates.data(),
+      {"1", "largest estimate of F_T's error over its peak among the candidates, after each round of points"});
 }
 
 /// Whether the symmetric matrix has no negative eigenvalue, but for round-off as in the file of a slip.
@@ -198,6 +207,11 @@ std::vector<ReadingName> read_names(ModelParts& parts, const std::string& group,
   return names;
 }
 
+std::size_t n_bonded_loads(const ReducedFamily& family) {
+  const std::size_t all = family.fixed.load_name.size();
+  return all - std::min(all, static_cast<std::size_t>(family.slip_loads));
+}
+
 SampledLoads read_training(ModelParts& parts, const std::string& group, std::size_t n_loads) {
   const std::size_t n = parts.length(group + "/time");
   SampledLoads training{parts.numbers(group + "/time", {n}), {}, {}};
@@ -215,17 +229,54 @@ SampledLoads read_training(ModelParts& parts, const std::string& group, std::siz
   return training;
 }
 
-void read_made(ModelParts& parts, const std::string& group, std::size_t n_axes, SoilFamilyFile& family) {
-  const std::size_t n = parts.length(group + "/points");
-  if (n == 0) parts.wrong(group + "/points holds no soil");
-  family.points = parts.matrix(group + "/points", n, n_axes);
+FieldBasis read_phi(ModelParts& parts, const std::string& group, const ReducedSystem& of) {
+  constexpr int most_unknowns = 100000000;
+  const std::size_t rows = parts.length(group + "/unknown"), columns = parts.length(group + "/coordinate");
+  FieldBasis phi;
+  phi.unknown = read_indices(parts, group + "/unknown", rows, 0, most_unknowns);
+  phi.coordinate = read_indices(parts, group + "/coordinate", columns, 0, of.size());
+  const std::vector<double> unit = parts.numbers(group + "/unit", {rows});
+  phi.unit = Eigen::Map<const Vector>(unit.data(), static_cast<Eigen::Index>(unit.size()));
+  phi.vectors = parts.matrix(group + "/vectors", rows, columns);
+  for (const int coordinate : phi.coordinate)
+    if (parts.is_sound() && !of.is_phi[static_cast<std::size_t>(coordinate)])
+      parts.wrong(group + "/coordinate holds " + std::to_string(coordinate) + ", which is none of phi");
+  return phi;
+}
+
+void read_made(ModelParts& parts, const std::string& group, SoilFamilyFile& family) {
+  const std::size_t n = parts.length(group + "/factors"), rounds = parts.length(group + "/estimates");
+  if (n == 0) parts.wrong(group + "/factors holds no soil");
   family.factors = parts.matrix(group + "/factors", n, family.terms.size());
-  family.estimates = parts.numbers(group + "/estimates", {n});
+  family.estimates = parts.numbers(group + "/estimates", {rounds});
   for (const double estimate : family.estimates)
     if (estimate < 0.) parts.wrong(group + "/estimates holds " + significant(estimate));
 }
 
 constexpr int most_coordinates = 4000;  ///< a family has some hundreds
+
+/// Whether a bonded member is left where the loads, the readings and the coordinate of a slip are left out.
+bool slip_fits(const ReducedFamily& f) {
+  const auto fewer = [](int of_slip, std::size_t all) {
+    return of_slip == 0 || static_cast<std::size_t>(of_slip) < all;
+  };
+  return fewer(f.slip_loads, f.fixed.load_name.size()) && fewer(f.slip_readings, f.fixed.reading_label.size()) &&
+         (!f.slips() || f.n_kept > f.fixed.n_prescribed);
+}
+
+/// Notes where coordinates, loads or readings leave nothing to be solved; returns whether they do not.
+bool require_coordinates(ModelParts& parts, const std::string& group, const ReducedFamily& f) {
+  const int kept = f.n_kept, prescribed = f.fixed.n_prescribed, all = f.fixed.size();
+  const bool fits = prescribed <= kept && kept <= all, slips = slip_fits(f);
+  if (!fits || prescribed == all)
+    parts.wrong(group + " keeps " + std::to_string(kept) + " coordinates, of which " + std::to_string(prescribed) +
+                " are prescribed, of " + std::to_string(all));
+  if (!slips)
+    parts.wrong(group + " has " + std::to_string(f.slip_loads) + " loads and " + std::to_string(f.slip_readings) +
+                " readings of a slip, of " + std::to_string(f.fixed.load_name.size()) + " and " +
+                std::to_string(f.fixed.reading_label.size()));
+  return fits && slips;
+}
 
 /// Reads what all members have in common; whether their parts can be read by it.
 bool read_common(ModelParts& parts, const std::string& group, SoilFamilyFile& family) {
@@ -239,17 +290,7 @@ bool read_common(ModelParts& parts, const std::string& group, SoilFamilyFile& fa
   family.names = read_names(parts, group, fixed.reading_label);
   fixed.feedthrough = parts.matrix(group + "/feedthrough", fixed.reading_label.size(), fixed.load_name.size());
   require_prescribed(parts, group, fixed);
-  const int n_kept = family.reduced.n_kept;
-  const bool fits = fixed.n_prescribed <= n_kept && n_kept <= fixed.size();
-  if (!fits || fixed.n_prescribed == fixed.size())
-    parts.wrong(group + " keeps " + std::to_string(n_kept) + " coordinates, of which " +
-                std::to_string(fixed.n_prescribed) + " are prescribed, of " + std::to_string(fixed.size()));
-  const int loads = static_cast<int>(fixed.load_name.size()), readings = static_cast<int>(fixed.reading_label.size());
-  const ReducedFamily& f = family.reduced;
-  if (f.slip_loads >= std::max(loads, 1) || f.slip_readings >= std::max(readings, 1) ||
-      (f.slips() && n_kept <= fixed.n_prescribed))
-    parts.wrong(group + " has " + std::to_string(f.slip_loads) + " loads and " + std::to_string(f.slip_readings) +
-                " readings of a slip, of " + std::to_string(loads) + " and " + std::to_string(readings));
+  const bool fits = require_coordinates(parts, group, family.reduced);
   const auto is_shear = [](const ReadingLabel& label) { return label.name == reading::shear_force; };
   if (std::none_of(fixed.reading_label.begin(), fixed.reading_label.end(), is_shear))
     parts.wrong(group + "/readings/name does not name '" + reading::shear_force + "'");
@@ -309,19 +350,24 @@ void write_family(Hdf5Image& image, const std::string& group, const SoilFamilyFi
                {"unit of the reading / unit of the load", "feedthrough_ik of the readings"});
   write_training(image, group, family.training);
   write_made(image, group, family);
+  if (family.phi.n() > 0) write_phi(image, group + "/phi", family.phi);
   write_part(image, group + "/fixed", fixed, fixed.is_phi);
   for (std::size_t q = 0; q < family.reduced.parts.size(); ++q)
     write_part(image, path_of_part(group, q), family.reduced.parts[q], fixed.is_phi);
 }
 
-std::optional<SoilFamilyFile> read_family(ModelParts& parts, const std::string& group, std::size_t n_axes) {
-  if (!parts.has(group, "n_kept")) return std::nullopt;
+SoilFamilyFile read_family(ModelParts& parts, const std::string& group) {
   SoilFamilyFile family;
+  if (!parts.has(group, "n_kept")) {
+    parts.wrong(group + " is missing");
+    return family;
+  }
   read_attributes(parts, group, fields_of_family, family);
   family.terms = read_terms(parts, group);
   const bool readable = read_common(parts, group, family);
-  family.training = read_training(parts, group, family.reduced.fixed.load_name.size());
-  read_made(parts, group, n_axes, family);
+  if (readable) family.training = read_training(parts, group, n_bonded_loads(family.reduced));
+  read_made(parts, group, family);
+  if (parts.has_dataset(group + "/phi/vectors")) family.phi = read_phi(parts, group + "/phi", family.reduced.fixed);
   if (readable) read_parts(parts, group, family);
   return family;
 }

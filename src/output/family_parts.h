@@ -14,9 +14,9 @@ void write_blocks(Hdf5Image& image, const std::string& path, const Eigen::Matrix
 /// Reads the same; empty where there is no block.
 Eigen::MatrixXd read_blocks(ModelParts& parts, const std::string& path, const std::vector<bool>& is_phi);
 
-/// Writes a family in a group; `n_axes`: of the box.
+/// Writes a family in a group.
 void write_family(Hdf5Image& image, const std::string& group, const SoilFamilyFile& family);
-/// Reads the same, and notes mistakes; none where the file has no such group.
-std::optional<SoilFamilyFile> read_family(ModelParts& parts, const std::string& group, std::size_t n_axes);
+/// Reads the same, and notes mistakes.
+SoilFamilyFile read_family(ModelParts& parts, const std::string& group);
 
 }  // namespace upbead::detail

@@ -25,6 +25,7 @@ constexpr int two_levels_version = 2;  ///< of files with /still_water, without 
 inline constexpr ModelKind reduced_model_kind{"upbead reduced model", model_version, two_levels_version,
                                               "reduced model", "upbead reduce"};
 inline constexpr ModelKind soil_model_kind{"upbead soil model", 1, 1, "model of soils", "upbead reduce --soils"};
+inline constexpr ModelKind soil_family_kind{"upbead family of soils", 1, 1, "family of soils", "upbead study"};
 
 /// Reads parts of a model and collects their mistakes; a wrong part is returned as zeros or empty texts.
 class ModelParts {

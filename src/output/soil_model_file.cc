@@ -56,10 +56,8 @@ SoilModelFile read_soils(ModelParts& parts) {
   model.box = read_box(parts);
   model.regions_text = parts.texts("/regions", 1).front();
   model.safety = parts.number("/box", "safety", true);
-  if (auto family = read_family(parts, family_group, model.box.size()))
-    model.family = std::move(*family);
-  else
-    parts.wrong(family_group + " is missing");
+  model.family = read_family(parts, family_group);
+  model.points = parts.matrix("/box/points", static_cast<std::size_t>(model.family.factors.rows()), model.box.size());
   parts.require_checksum();
   parts.throw_if_any();
   return model;
@@ -76,6 +74,7 @@ std::string soil_model_file(const SoilModelFile& model) {
   image.attribute("/box", "safety", model.safety);
   image.text("/regions", model.regions_text);
   write_family(image, family_group, model.family);
+  write_matrix(image, "/box/points", model.points, {"", "soils that were solved, by axis of the box"});
   image.seal();
   return image.bytes();
 }
@@ -83,6 +82,25 @@ std::string soil_model_file(const SoilModelFile& model) {
 SoilModelFile read_soil_model_file(const std::string& path) {
   ModelParts parts(path, {soil_model_kind});
   return read_soils(parts);
+}
+
+std::string soil_family_file(const SoilFamilyFile& family, const std::string& made_for) {
+  Hdf5Image image("");
+  image.attribute("/", "kind", std::string(soil_family_kind.kind));
+  image.attribute("/", "format_version", soil_family_kind.newest);
+  image.attribute("/", "made_for", made_for);
+  write_family(image, family_group, family);
+  image.seal();
+  return image.bytes();
+}
+
+std::optional<SoilFamilyFile> read_soil_family_file(const std::string& path, const std::string& made_for) {
+  ModelParts parts(path, {soil_family_kind});
+  if (parts.text("/", "made_for") != made_for) return std::nullopt;
+  SoilFamilyFile family = read_family(parts, family_group);
+  parts.require_checksum();
+  parts.throw_if_any();
+  return family;
 }
 
 std::variant<ReducedModelFile, SoilModelFile> read_any_model_file(const std::string& path) {

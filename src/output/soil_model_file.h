@@ -26,11 +26,11 @@ struct SoilFamilyFile {
   std::vector<AffineTerm> terms;   ///< by part of `reduced`: what multiplies it
   ReducedFamily reduced;           ///< its `shift` is that of a member's own reduction, too
   std::vector<ReadingName> names;  ///< of its readings
-  SampledLoads training;           ///< histories under which a member is reduced
+  SampledLoads training;           ///< histories of the bonded scene, under which a member is reduced
   double tolerance = 0.;           ///< of a member's own reduction, of F_T over its peak
-  Eigen::MatrixXd points;          ///< soils that were solved (rows), by axis of the box
-  Eigen::MatrixXd factors;         ///< of the same soils, by part
-  std::vector<double> estimates;   ///< largest estimate over the candidates, after each point
+  Eigen::MatrixXd factors;         ///< of the soils that were solved (rows), by part
+  FieldBasis phi;                  ///< of `reduced`, in unknowns of the scene; empty where it is not kept
+  std::vector<double> estimates;   ///< largest estimate over the candidates, after each round of points
 };
 
 /// Everything that `respond` needs for any soil of the box.
@@ -41,7 +41,8 @@ struct SoilModelFile {
   /// any soil.
   std::string regions_text;
   SoilFamilyFile family;
-  double safety = 0.;  ///< by which the difference of nested members was multiplied in the estimates
+  Eigen::MatrixXd points;  ///< soils that were solved (rows), by axis of the box
+  double safety = 0.;      ///< by which the difference of nested members was multiplied in the estimates
 };
 
 /// The bytes of the file. Throws NumericsError where a number is not finite, std::logic_error where a matrix of the
@@ -52,7 +53,13 @@ std::string soil_model_file(const SoilModelFile& model);
 /// regions is not looked at.
 SoilModelFile read_soil_model_file(const std::string& path);
 
-/// Reads a file of either kind.
+/// The bytes of a family alone, as processes of a study hand it on. `made_for`: a fingerprint of what it was made for.
+std::string soil_family_file(const SoilFamilyFile& family, const std::string& made_for);
+
+/// Reads such a file; none where it was made for something else. Throws InputError as above.
+std::optional<SoilFamilyFile> read_soil_family_file(const std::string& path, const std::string& made_for);
+
+/// Reads a file of either kind of model.
 std::variant<ReducedModelFile, SoilModelFile> read_any_model_file(const std::string& path);
 
 /// A family's System without matrices, for as_system(): loads and readings with their names, those of the slip left

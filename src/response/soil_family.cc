@@ -27,9 +27,6 @@ constexpr int most_frequencies = 64;
 constexpr double beyond_band = 1.3;
 /// Estimates that are found side by side, and points that are solved so.
 constexpr std::size_t estimates_at_once = 4, points_at_once = 2;
-/// Tolerance of the small system's own reduction, over that of the family.
-constexpr double share_of_member = 0.2;
-
 SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compiled) {
   SnapshotOptions options;
   options.shift = krylov_shift(scene);
@@ -61,9 +58,10 @@ Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const 
   return series.reading.row(compiled.system.reading(reading::shear_force));
 }
 
-System without_matrices(System system) {
-  for (SparseMatrix* A : {&system.M, &system.C, &system.K, &system.radiation}) A->resize(0, 0);
-  return system;
+void count_slip(SoilFamily& family) {
+  const System &bonded = family.like.system, &slips = *family.slipping;
+  family.reduced.slip_loads = static_cast<int>(slips.loads.size() - bonded.loads.size());
+  family.reduced.slip_readings = static_cast<int>(slips.readings.size() - bonded.readings.size());
 }
 
 /// Basis and projections, which grow point by point.
@@ -90,10 +88,13 @@ class Builder {
     for (Projection& projection : projections_) projection.extend();
   }
 
-  ReducedFamily family() const {
+  void tell(SoilFamily& family) const {
+    const Eigen::MatrixXd sorting = basis_.sorting();
     ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept()};
     for (std::size_t q = 1; q < projections_.size(); ++q) reduced.parts.push_back(projections_[q].reduced());
-    return rotated(reduced, basis_.sorting());
+    family.reduced = rotated(reduced, sorting);
+    family.phi = basis_.phi_in(sorting);
+    if (family.slipping) count_slip(family);
   }
 
  private:
@@ -108,6 +109,11 @@ class Builder {
 };
 
 }  // namespace
+
+System without_matrices(System system) {
+  for (SparseMatrix* A : {&system.M, &system.C, &system.K, &system.radiation}) A->resize(0, 0);
+  return system;
+}
 
 CompiledScene SoilFamily::at(const Factors& factors, double share) const {
   const ReducedSystem member = reduced.bonded(factors, share);
@@ -198,12 +204,6 @@ int farthest(const std::vector<Factors>& candidates) {
   return found;
 }
 
-void count_slip(SoilFamily& family) {
-  const System &bonded = family.like.system, &slips = *family.slipping;
-  family.reduced.slip_loads = static_cast<int>(slips.loads.size() - bonded.loads.size());
-  family.reduced.slip_readings = static_cast<int>(slips.readings.size() - bonded.readings.size());
-}
-
 }  // namespace
 
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
@@ -226,8 +226,7 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     made.points.insert(made.points.end(), next.begin(), next.end());
     const double end = static_cast<double>(made.points.size()) / options.most_points;
     builder.add_points(points, part_of(options.progress, begin, 0.5 * (begin + end)));
-    made.family.reduced = builder.family();
-    if (made.family.slipping) count_slip(made.family);
+    builder.tell(made.family);
     next = candidates.worst(made.family, points_at_once);
     made.estimates.push_back(candidates.largest());
     const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();

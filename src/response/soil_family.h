@@ -11,12 +11,16 @@
 
 namespace upbead {
 
+/// Tolerance of a member's own reduction, over that of the family.
+constexpr double share_of_member = 0.2;
+
 /// What a member of the family is: coefficients by part of AffineScene.
 using Factors = std::vector<double>;
 
 /// A scene in one basis for all its soils.
 struct SoilFamily {
   ReducedFamily reduced;
+  FieldBasis phi;      ///< of the family's coordinates
   CompiledScene like;  ///< of the bonded scene that was reduced; its system has no matrices
   /// Where the family is that of a caisson that slips as a whole: its system, without matrices.
   std::optional<System> slipping;
@@ -27,6 +31,9 @@ struct SoilFamily {
   /// The same of a caisson that slips, see slip_system(). To be called where `slipping` is there.
   SlipSystem slips_at(const Factors& factors) const;
 };
+
+/// What is left of a System where a small one stands for it.
+System without_matrices(System system);
 
 struct SoilFamilyOptions {
   std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next

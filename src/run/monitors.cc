@@ -11,10 +11,11 @@
 namespace upbead {
 
 Monitors::Monitors(const Simulation& simulation) {
-  if (simulation.scene().limits.liquefaction && !simulation.processes() && !simulation.member())
+  const bool has_pressures = !simulation.member() || simulation.member()->phi;
+  if (simulation.scene().limits.liquefaction && !simulation.processes() && has_pressures)
     upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
-  if (simulation.member())
+  if (!has_pressures)
     why_no_pressure = why_no_strength = why_no_cyclic = why_no_fields_of_soils;
   else if (simulation.processes())
     why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";

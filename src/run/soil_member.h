@@ -1,9 +1,11 @@
 // A scene as one of many with other soils, which one reduced model answers.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "dynamics/reduced_family.h"
 #include "fem/compile.h"
 #include "response/slip_reduction.h"
 
@@ -12,7 +14,8 @@ namespace upbead {
 /// What stands for the scene's System: a small one in the coordinates of a basis for all soils.
 struct SoilMember {
   CompiledScene compiled;
-  double error = 0.;               ///< estimated, of the history of F_T over its peak, by the basis
+  double error = 0.;                      ///< estimated, of the history of F_T over its peak, by the basis
+  std::shared_ptr<const FieldBasis> phi;  ///< see of_bonded_members(); null: pressures are known at readings alone
   std::optional<SlipSystem> slip;  ///< with a caisson that slips as a whole; none: the scene itself is assembled for it
 };
 

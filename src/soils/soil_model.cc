@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "fem/system_scene.h"
 #include "model/exclusions.h"
+#include "response/reduction.h"
 #include "run/derived.h"
 #include "run/sliding/slip_ahead.h"
 #include "run/soil_member.h"
@@ -99,21 +100,52 @@ std::string why_not_of_family(const Scene& one, const Scene& other) {
   return a == b ? "" : "it differs in more than the constants of its regions";
 }
 
-SoilModel::SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options)
-    : first_(first) {
+SoilsMade make_soils(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options) {
   const std::vector<Scene> scenes = resolved(first, soils);
   const bool slips = wants_slip(first);
   AffineScene affine = affine_of(first, scenes, slips);
   if (slips) affine = with_slip(affine);
   require_sum(affine, scenes.back(), first, slips);
-  terms_ = affine.terms;
   SoilFamilyOptions making;
   making.candidates.push_back(affine.factors(coefficients_of(first.scene())));
   for (const Scene& soil : scenes) making.candidates.push_back(affine.factors(coefficients_of(soil)));
   making.tolerance = options.tolerance;
   making.most_points = options.most_points;
   making.progress = options.progress;
-  made_ = make_soil_family(first.scene(), affine, *first.compiled(), making);
+  SoilFamilyMade made = make_soil_family(first.scene(), affine, *first.compiled(), making);
+  SoilsMade out;
+  out.points = std::move(made.points);
+  out.family.terms = affine.terms;
+  out.family.reduced = std::move(made.family.reduced);
+  for (const Reading& reading : affine.fixed.system.readings) out.family.names.push_back(reading.name);
+  out.family.training = sampled_loads(first.scene(), first.system());
+  out.family.phi = std::move(made.family.phi);
+  out.family.tolerance = share_of_member * options.tolerance;
+  out.family.factors.resize(static_cast<Eigen::Index>(out.points.size()),
+                            static_cast<Eigen::Index>(affine.terms.size()));
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    const Factors& factors = making.candidates[static_cast<std::size_t>(out.points[i])];
+    out.family.factors.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(factors.data(), static_cast<Eigen::Index>(factors.size()));
+  }
+  out.family.estimates = std::move(made.estimates);
+  return out;
+}
+
+SoilModel::SoilModel(const Simulation& first, SoilFamilyFile family) : first_(first), terms_(std::move(family.terms)) {
+  const System &own = first.system(), bonded = bonded_names(family);
+  const auto same_load = [](const SystemLoad& a, const SystemLoad& b) { return a.name == b.name; };
+  const auto same_reading = [](const Reading& a, const Reading& b) { return a.name.text() == b.name.text(); };
+  if (!std::equal(own.loads.begin(), own.loads.end(), bonded.loads.begin(), bonded.loads.end(), same_load) ||
+      !std::equal(own.readings.begin(), own.readings.end(), bonded.readings.begin(), bonded.readings.end(),
+                  same_reading))
+    throw InputError(Place(), "the family of soils has other loads or readings than the scene", "make it again");
+  family_.like = *first.compiled();
+  family_.like.system = without_matrices(family_.like.system);
+  if (family.reduced.slips()) family_.slipping = slipping_names(family);
+  family_.reduced = std::move(family.reduced);
+  if (family.phi.n() > 0)
+    phi_ = std::make_shared<const FieldBasis>(of_bonded_members(std::move(family.phi), family_.reduced));
 }
 
 Simulation SoilModel::member(const Scene& given) const {
@@ -127,9 +159,9 @@ Simulation SoilModel::member(const Scene& given) const {
   parts.compiled = std::make_shared<const CompiledScene>(with_courses(*first_.compiled(), parts.scene));
   const Factors factors = AffineScene{{}, terms_, {}}.factors(coefficients_of(parts.scene));
   SoilMember member{
-      with_courses(made_.family.at(factors), parts.scene), family_error(made_.family, parts.scene, factors), {}};
-  if (made_.family.slipping && parts.scene.sliding) {
-    member.slip = made_.family.slips_at(factors);
+      with_courses(family_.at(factors), parts.scene), family_error(family_, parts.scene, factors), phi_, {}};
+  if (family_.slipping && parts.scene.sliding) {
+    member.slip = family_.slips_at(factors);
     for (std::size_t k = 0; k < member.compiled.system.loads.size(); ++k)
       member.slip->system.loads[k].history = member.compiled.system.loads[k].history;
   }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fem/affine_scene.h"
+#include "output/soil_model_file.h"
 #include "response/soil_family.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
@@ -35,26 +36,35 @@ struct SoilModelOptions {
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
 
-/// A case's scene, its System as a sum over its soils, and one basis for all of them.
+/// How a family was made of a scene's soils.
+struct SoilsMade {
+  SoilFamilyFile family;
+  std::vector<int> points;  ///< soils that were solved: 0: the first scene, 1: the first of the others
+};
+
+/// Makes a scene's System as a sum over its soils, and one basis for all of them. `first`: assembled with all cells;
+/// `soils`: scenes as given, on the same mesh, that differ in soils alone. They are the candidates for points of the
+/// basis and say which constants vary. Throws InputError where one is no member, and NumericsError where the sum does
+/// not equal an assembled System, or a soil cannot be reduced.
+SoilsMade make_soils(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options);
+
+/// A case's scene and a family for all its soils.
 class SoilModel {
  public:
-  /// `first`: assembled with all cells; `soils`: scenes as given, on the same mesh, that differ in soils alone. They
-  /// are the candidates for points of the basis and say which constants vary. Throws InputError where one is no member,
-  /// and NumericsError where the sum does not equal an assembled System, or a soil cannot be reduced.
-  SoilModel(const Simulation& first, const std::vector<Scene>& soils, const SoilModelOptions& options);
+  /// Throws InputError where the family has other loads or readings than the scene.
+  SoilModel(const Simulation& first, SoilFamilyFile family);
 
   /// The scene as a member: what is solved in place of its System, and the error that it brings. Throws InputError as
   /// Simulation does and where it is no member.
   Simulation member(const Scene& given) const;
 
   const Simulation& first() const { return first_; }
-  const std::vector<AffineTerm>& terms() const { return terms_; }
-  const SoilFamilyMade& made() const { return made_; }
 
  private:
   Simulation first_;
   std::vector<AffineTerm> terms_;  ///< by part of the family
-  SoilFamilyMade made_;
+  SoilFamily family_;
+  std::shared_ptr<const FieldBasis> phi_;  ///< see SoilMember
 };
 
 }  // namespace upbead

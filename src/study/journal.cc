@@ -24,11 +24,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* ending = ".jsonl";
 
-/// The folder of a study's journals.
-fs::path journal_folder(const std::string& output_folder) {
-  return fs::path(output_folder) / "journal";
-}
-
 /// The folder of the summaries of a study's runs.
 fs::path summary_folder(const std::string& output_folder) {
   return fs::path(output_folder) / "runs";
@@ -122,17 +117,6 @@ void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead&
                    "make room on the disk, or choose another folder with --out DIR");
 }
 
-/// Writes a file so that it is there whole or not at all.
-void write_whole(const fs::path& path, const std::string& text) {
-  const fs::path partial = path.string() + ".partial";
-  std::ofstream stream(partial, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code code;
-  if (stream) fs::rename(partial, path, code);
-  if (!stream || code) cannot_write(path);
-}
-
 /// What runs can share: those with equal lists up to `mesh` share a mesh, and so on, up to `basis` a basis, up to
 /// `solved` a solution. Only the order of runs follows from it: Runner looks at what the keys make.
 struct Likeness {
@@ -174,6 +158,10 @@ Likeness likeness_of(const StudyRun& run, int number) {
 
 }  // namespace
 
+fs::path journal_folder(const std::string& output_folder) {
+  return fs::path(output_folder) / "journal";
+}
+
 JournalsRead read_journals(const std::string& output_folder, const Study& study) {
   JournalsRead read{Results(study.runs.size())};
   for (const fs::path& path : files_in(journal_folder(output_folder), ending))
@@ -183,8 +171,9 @@ JournalsRead read_journals(const std::string& output_folder, const Study& study)
 
 void remove_journals(const std::string& output_folder) {
   std::error_code code;
-  for (const auto& files :
-       {files_in(journal_folder(output_folder), ending), files_in(summary_folder(output_folder), ".json")})
+  const fs::path journals = journal_folder(output_folder);
+  for (const auto& files : {files_in(journals, ending), files_in(journals, ".h5"), files_in(journals, ".txt"),
+                            files_in(summary_folder(output_folder), ".json")})
     for (const fs::path& path : files)
       if (!fs::remove(path, code) && code)
         throw InputError({path.string()}, "cannot be removed: " + code.message(),
@@ -210,7 +199,7 @@ Journal::~Journal() {
 
 void Journal::add(int run, const RunResult& result) {
   if (study_.summaries && result.done)
-    write_whole(summary_folder(output_folder_) / (std::to_string(run) + ".json"), result.summary);
+    write_whole((summary_folder(output_folder_) / (std::to_string(run) + ".json")).string(), result.summary);
   write(line_of(to_object(run, result), study_.fingerprint));
 }
 

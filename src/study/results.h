@@ -1,6 +1,7 @@
 // The results of a study's runs: kept in journals while it runs, written as tables and a summary at the end.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +41,10 @@ struct JournalsRead {
 /// no result. Throws InputError where they belong to another study, as its fingerprint shows.
 JournalsRead read_journals(const std::string& output_folder, const Study& study);
 
-/// Removes all journals, and the summaries of runs, in the folder.
+/// The folder of a study's journals, within that of its results.
+std::filesystem::path journal_folder(const std::string& output_folder);
+
+/// Removes all journals, families of soils and summaries of runs in the folder.
 void remove_journals(const std::string& output_folder);
 
 /// The journal of one process, which no other process writes to. Each line is passed to the system at once and whole,

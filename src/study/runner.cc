@@ -66,12 +66,11 @@ std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared
   return mesh_;
 }
 
-Simulation Runner::simulation_for(int run, const Case& problem, const std::function<void()>& meanwhile,
-                                  Shared& shared) {
+Simulation Runner::simulation_for(int run, const Case& problem, bool as_member, Shared& shared) {
   in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
   const std::shared_ptr<const Mesh> mesh = mesh_for(problem, shared);
   if (!sharing_ || !mesh) return simulation_of(problem, mesh);
-  if (const auto member = soils_.member(run, problem, mesh, meanwhile)) {
+  if (const auto member = as_member ? soils_.member(run, problem, mesh) : std::nullopt) {
     shared = Shared::soils;
     return *member;
   }
@@ -86,15 +85,17 @@ Simulation Runner::own_simulation(const Case& problem, Shared& shared) {
   return simulation;
 }
 
-Summary Runner::solve(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
+Summary Runner::solve(int run, const Case& problem, bool as_member, const std::function<void()>& meanwhile,
+                      Shared& shared) {
   const std::string key = solution_key_of(problem);
   RunOptions options;
   options.progress = [&meanwhile](double) { meanwhile(); };
-  if (sharing_ && solved_ && key == solution_key_) {
+  const bool may_stay = solved_ && (as_member || !solved_->simulation->member());
+  if (sharing_ && may_stay && key == solution_key_) {
     shared = Shared::solution;
   } else {
     solved_.reset();
-    Simulation simulation = simulation_for(run, problem, meanwhile, shared);
+    Simulation simulation = simulation_for(run, problem, as_member, shared);
     read_records(problem, simulation);  // their mistakes come before the work
     if (shared == Shared::soils) solved_ = solved_as_member(problem, simulation, options);
     if (shared == Shared::soils && !solved_) {
@@ -109,6 +110,25 @@ Summary Runner::solve(int run, const Case& problem, const std::function<void()>&
   return answer(problem, *solved_, options.progress).summary;
 }
 
+RunResult Runner::answer_of(int run, const Case& problem, const std::function<void()>& meanwhile) {
+  RunResult result;
+  for (const bool as_member : {true, false}) {
+    const Summary summary = solve(run, problem, as_member, meanwhile, result.shared);
+    result.error_estimate = summary.reduction ? summary.reduction->error_of_soils : std::nullopt;
+    const Json json = summary_outputs().to_json(summary);
+    result.summary = json_text(json);
+    result.values = numbers_at(json, study_.reads);
+    result.doubts = doubts_of(summary);
+    const bool all_told = std::all_of(result.values.begin(), result.values.end(),
+                                      [](const std::optional<double>& value) { return value.has_value(); });
+    if (!result.error_estimate || all_told) break;
+    soils_.refuse("one model of all soils does not tell every number that is read");
+  }
+  if (!result.error_estimate) result.why_own = soils_.why_not();
+  result.done = true;
+  return result;
+}
+
 RunResult Runner::run(int number, const std::function<void()>& meanwhile) {
   const StudyRun& run = study_.runs[static_cast<std::size_t>(number)];
   const Stopwatch watch;
@@ -117,14 +137,7 @@ RunResult Runner::run(int number, const std::function<void()>& meanwhile) {
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
     require_trust(problem, trusts_scripts_);
     require_loads(problem);
-    const Summary summary = solve(number, problem, meanwhile, result.shared);
-    if (summary.reduction) result.error_estimate = summary.reduction->error_of_soils;
-    if (!result.error_estimate) result.why_own = soils_.why_not();
-    const Json json = summary_outputs().to_json(summary);
-    result.summary = json_text(json);
-    result.values = numbers_at(json, study_.reads);
-    result.doubts = doubts_of(summary);
-    result.done = true;
+    result = answer_of(number, problem, meanwhile);
   } catch (const Interrupted&) {
     throw;
   } catch (const std::bad_alloc&) {

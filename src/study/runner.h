@@ -20,20 +20,22 @@ namespace upbead {
 /// whose answers differ from a run's own by what they tell, `reduction.error_of_soils`.
 class Runner {
  public:
-  /// `trusts_scripts`: see require_trust().
-  Runner(const Study& study, bool sharing, bool trusts_scripts)
+  /// `folder`: of the results, with the families of soils that make_soil_families() has written; `trusts_scripts`: see
+  /// require_trust().
+  Runner(const Study& study, const std::string& folder, bool sharing, bool trusts_scripts)
       : study_(study),
         sharing_(sharing && study.share != StudyShare::none),
         trusts_scripts_(trusts_scripts),
-        soils_(study) {}
+        soils_(study, folder) {}
   /// A run that fails says so in its result. `meanwhile` is called during the run. Throws Interrupted.
   RunResult run(int number, const std::function<void()>& meanwhile);
 
  private:
-  Summary solve(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
+  RunResult answer_of(int run, const Case& problem, const std::function<void()>& meanwhile);
+  Summary solve(int run, const Case& problem, bool as_member, const std::function<void()>& meanwhile, Shared& shared);
   std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
   Simulation own_simulation(const Case& problem, Shared& shared);
-  Simulation simulation_for(int run, const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
+  Simulation simulation_for(int run, const Case& problem, bool as_member, Shared& shared);
 
   const Study& study_;
   bool sharing_;

@@ -74,7 +74,7 @@ SoilModelFile two_soils() {
   f.training.end(0, 0) = f.training.begin(0, 1) = 1.6e6;
   f.training.end(1, 1) = f.training.begin(1, 2) = 4e5;
   f.tolerance = 1e-4;
-  f.points = Eigen::RowVector2d(3e7, 2e-1);
+  model.points = Eigen::RowVector2d(3e7, 2e-1);
   f.factors = Eigen::RowVector2d(3e7, 2e-5);
   f.estimates = {1e-3};
   return model;

@@ -63,6 +63,7 @@ TEST(SoilModelFile, KeepsAFamilyThatSlips) {
   SoilModelFile made = two_soils();
   EXPECT_FALSE(read_soil_model_file(TemporaryFile(soil_model_file(made)).path()).family.reduced.slips());
   made.family.reduced.slip_loads = made.family.reduced.slip_readings = 1;
+  for (Eigen::MatrixXd* loads : {&made.family.training.begin, &made.family.training.end}) *loads = loads->row(0).eval();
   const SoilModelFile read = read_soil_model_file(TemporaryFile(soil_model_file(made)).path());
   EXPECT_TRUE(read.family.reduced.slips());
   EXPECT_EQ(soil_model_file(read), soil_model_file(made));
@@ -78,6 +79,20 @@ TEST(SoilModelFile, RefusesASlipWithoutCoordinate) {
               m.family.reduced.slip_readings = 1;
             }),
             "m: /family has 2 loads and 1 readings of a slip, of 2 and 3" + again);
+}
+
+TEST(SoilModelFile, OfAFamilyAloneComesBackForWhatItWasMadeFor) {
+  SoilFamilyFile made = two_soils().family;
+  made.phi = {{3, 7}, Vector::Constant(2, 1e3), Eigen::Vector2d(0.6, 0.8), {2}};
+  const TemporaryFile file(soil_family_file(made, "study 1"));
+  EXPECT_FALSE(read_soil_family_file(file.path(), "study 2"));
+  const auto read = read_soil_family_file(file.path(), "study 1");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(soil_family_file(*read, "study 1"), soil_family_file(made, "study 1"));
+  EXPECT_EQ(read->phi.vectors, made.phi.vectors);
+  made.phi.coordinate = {0};
+  EXPECT_THROW(read_soil_family_file(TemporaryFile(soil_family_file(made, "")).path(), ""), InputError)
+      << "a displacement";
 }
 
 TEST(SoilModelFile, IsToldFromAReducedModel) {

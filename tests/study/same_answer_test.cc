@@ -75,10 +75,10 @@ class SameAnswer : public InFolder {
     std::vector<Settings> runs;
     for (const Row& row : rows) runs.push_back(row.settings);
     const Study study = study_of(text, runs);
-    Runner sharing(study, true, false);
+    Runner sharing(study, "out", true, false);
     std::set<std::string> answers;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      Runner alone(study, false, false);
+      Runner alone(study, "out", false, false);
       const RunResult a = sharing.run(static_cast<int>(i), [] {}), b = alone.run(static_cast<int>(i), [] {});
       ASSERT_TRUE(a.done && b.done) << i << ": " << a.message << " / " << b.message;
       EXPECT_EQ(a.shared, rows[i].shared) << i;
@@ -157,7 +157,7 @@ TEST_F(SameAnswer, AMistakeInARecordCostsItsRunAlone) {
            "kind = \"prescribed\", gauges = \"none.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
            "\"none\", to_landward = \"none\""),
        {}});
-  Runner runner(study, true, false);
+  Runner runner(study, "out", true, false);
   EXPECT_NE(runner.run(0, [] {}).message.find("sampling_rate"), std::string::npos);
   EXPECT_NE(runner.run(1, [] {}).message.find("none.csv"), std::string::npos);
   EXPECT_TRUE(runner.run(2, [] {}).done);
@@ -327,7 +327,7 @@ TEST_F(SameAnswer, WithoutInertiaAndFromAnotherCase) {
   Study study = study_of(struck(sliding_table), {{}, {}});
   study.cases.push_back("other.toml");
   study.runs[1].case_index = 1;
-  Runner sharing(study, true, false), alone(study, false, false);
+  Runner sharing(study, "out", true, false), alone(study, "out", false, false);
   sharing.run(0, [] {});
   const RunResult a = sharing.run(1, [] {}), b = alone.run(1, [] {});
   EXPECT_EQ(a.shared, Shared::solution);

@@ -1,7 +1,9 @@
 // Claims: a study of many soils is answered by one model of them: each run agrees with that solved alone within its
 // estimate, tells the estimate, and says what was skipped; without share = "soils", few soils, and scenes that no model
 // can answer are solved alone, to the last bit.
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "good_case.h"
 #include "section_case.h"
@@ -24,7 +26,7 @@ class SoilStudy : public InFolder {
     Study study;
     study.share = StudyShare::soils;
     study.cases = {"case.toml"};
-    study.reads = {"response.peak_shear", "sliding.sliding_history"};
+    study.reads = {"response.peak_shear", "response.peak_displacement"};
     for (int i = 0; i < runs; ++i) {
       StudyRun run;
       run.settings = fixed;
@@ -36,20 +38,27 @@ class SoilStudy : public InFolder {
     }
     return study;
   }
+  static std::vector<std::vector<int>> every_run(const Study& study) {
+    std::vector<int> all(study.runs.size());
+    std::iota(all.begin(), all.end(), 0);
+    return {all};
+  }
 };
 
 TEST_F(SoilStudy, IsAnsweredByOneModel) {
   const Study study = study_of(static_cast<int>(least_soils));
-  Runner together(study, true, false), alone(study, false, false);
+  make_soil_families(study, every_run(study), "out", false, {});
+  Runner together(study, "out", true, false), alone(study, "out", false, false);
   for (const int i : {0, 5, 11, 22}) {
     const RunResult a = together.run(i, [] {}), b = alone.run(i, [] {});
     ASSERT_TRUE(a.done && b.done) << a.message << b.message;
-    EXPECT_EQ(a.shared, Shared::soils);
+    EXPECT_EQ(a.shared, Shared::soils) << a.why_own;
     ASSERT_TRUE(a.error_estimate);
     EXPECT_FALSE(b.error_estimate);
     EXPECT_NEAR(*a.values[0], *b.values[0], *a.error_estimate * *b.values[0] + 1e-3 * *b.values[0]);
     EXPECT_LT(*a.error_estimate, 5e-3);
     EXPECT_NE(a.summary.find("one model answers all soils"), std::string::npos);
+    EXPECT_EQ(a.doubts.warnings.size(), b.doubts.warnings.size());
   }
 }
 
@@ -59,14 +68,50 @@ TEST_F(SoilStudy, OfFewSoilsOrWithoutSharingIsSolvedAlone) {
   Study none = study_of(static_cast<int>(least_soils));
   EXPECT_EQ(soil_groups(none).size(), 1U);
   none.share = StudyShare::all;
+  EXPECT_EQ(soil_groups(none).size(), 1U);
+  none.summaries = true;
+  EXPECT_TRUE(soil_groups(none).empty()) << "as one model leaves numbers out";
+  none.summaries = false;
+  none.share = StudyShare::stages;
   EXPECT_TRUE(soil_groups(none).empty());
-  Runner runner(none, true, false), alone(none, false, false);
+  make_soil_families(none, every_run(none), "out", false, {});
+  EXPECT_FALSE(std::filesystem::exists("out"));
+  Runner runner(none, "out", true, false), alone(none, "out", false, false);
   EXPECT_EQ(runner.run(1, [] {}).values, alone.run(1, [] {}).values);
+}
+
+TEST_F(SoilStudy, ThatReadsWhatTheModelDoesNotTellIsSolvedAlone) {
+  Study study = study_of(static_cast<int>(least_soils));
+  study.reads.emplace_back("cycles.permanent_displacement");  // nor does a run of this case
+  make_soil_families(study, every_run(study), "out", false, {});
+  Runner runner(study, "out", true, false), alone(study, "out", false, false);
+  const RunResult a = runner.run(3, [] {}), b = alone.run(3, [] {});
+  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_FALSE(a.error_estimate);
+  EXPECT_EQ(a.why_own, "one model of all soils does not tell every number that is read");
+}
+
+TEST_F(SoilStudy, KeepsItsFamilyAndMakesATornOneAnew) {
+  const Study study = study_of(static_cast<int>(least_soils));
+  make_soil_families(study, every_run(study), "out", false, {});
+  const std::string path = "out/journal/soils-0.h5";
+  const auto written = std::filesystem::last_write_time(path);
+  make_soil_families(study, every_run(study), "out", false, {});
+  EXPECT_EQ(std::filesystem::last_write_time(path), written);
+  Study other = study;
+  ++other.fingerprint;
+  EXPECT_FALSE(read_soil_family(other, 0, "out").family);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  EXPECT_FALSE(read_soil_family(study, 0, "out").family);
+  make_soil_families(study, every_run(study), "out", false, {});
+  EXPECT_TRUE(read_soil_family(study, 0, "out").family);
 }
 
 TEST_F(SoilStudy, OfAMarchIsSolvedAlone) {
   const Study study = study_of(static_cast<int>(least_soils), {{"time.scheme", "\"sdirk4\""}});
-  Runner runner(study, true, false), alone(study, false, false);
+  make_soil_families(study, every_run(study), "out", false, {});
+  Runner runner(study, "out", true, false), alone(study, "out", false, false);
   const RunResult a = runner.run(2, [] {}), b = alone.run(2, [] {});
   ASSERT_TRUE(a.done && b.done) << a.message << b.message;
   EXPECT_NE(a.shared, Shared::soils);
