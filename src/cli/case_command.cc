@@ -64,11 +64,15 @@ const char* const reduce_footer =
     R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
 'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
 [accuracy] tolerance asks for, measured on the case's own histories by nested models.
+With --soils FILE writes soils.h5: one model for all soils of a box and all waves, see docs/soils.md.
 
 Examples:
   upbead reduce cases/fig2b-prototype.toml
   upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine
-  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv)";
+  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv
+  upbead reduce cases/fig2b-prototype.toml --soils cases/study/soils.toml
+  upbead respond results/fig2b-prototype/soils.h5 cases/fig2b-prototype-impulse.csv \
+      --soil regions.seabed.shear_modulus=25e6)";
 
 std::vector<Option> run_options(CaseOptions& options) {
   return {{"--details", &options.details,
@@ -80,10 +84,15 @@ std::vector<Option> run_options(CaseOptions& options) {
 }
 
 std::vector<Option> reduce_options(CaseOptions& options) {
-  return {{"--all-readings", &options.all_readings,
-           "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
-           "tolerance"},
-          {"--check", &options.check, "march the case as well and print the error against that march; takes longer"}};
+  return {
+      {"--all-readings", &options.all_readings,
+       "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
+       "tolerance"},
+      {"--soils", &options.soils,
+       "one model for a box of soils: a file with a study's tables [vary.\"KEY\"], whose values are the ends of the "
+       "box",
+       "FILE"},
+      {"--check", &options.check, "march the case as well and print the error against that march; takes longer"}};
 }
 
 }  // namespace

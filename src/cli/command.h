@@ -81,6 +81,7 @@ struct CaseOptions : CommonOptions {
   bool details = false;          ///< run: --details
   bool all_readings = false;     ///< reduce
   bool check = false;            ///< reduce
+  std::string soils;             ///< reduce: --soils
 };
 
 /// One of explain, run and reduce with its options and its help, but without its work.

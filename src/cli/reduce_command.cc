@@ -10,6 +10,8 @@
 #include "case/script_trust.h"
 #include "cli/command.h"
 #include "cli/reduced_case.h"
+#include "cli/soils_of_case.h"
+#include "study/soil_box.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -111,6 +113,24 @@ std::string describe(const Reduced& made) {
   return text + "written     " + made.path + "\n";
 }
 
+int reduce_soils(Case& input, const CaseOptions& options, const std::string& out) {
+  if (options.check || options.all_readings)
+    throw InputError(Place(), std::string(options.check ? "--check" : "--all-readings") + " does not go with --soils",
+                     "reduce the case without --soils for that");
+  const std::vector<SoilAxis> box = read_soil_box(options.soils);
+  std::vector<InputFile> inputs = input_files(input);
+  inputs.push_back({options.soils, {options.soils}});
+  require_inputs_kept(out, {"soils.h5"}, inputs);
+  OutputFolder folder(out);
+  const SoilsOfCase made = soils_of_case(input, options, box, folder.name());
+  folder.write("soils.h5", soil_model_file(made.file));
+  check_interrupt();
+  folder.commit();
+  const std::string path = folder.name() + "/soils.h5";
+  std::cout << (options.json ? to_json(made, path) : describe(made, path));
+  return 0;
+}
+
 int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
@@ -118,6 +138,7 @@ int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   std::cerr << notes_on(input);
   note_interrupts();
   const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
+  if (!options.soils.empty()) return reduce_soils(input, options, out);
   require_inputs_kept(out, {"reduced.h5"}, input_files(input));
   OutputFolder folder(out);
   Reduced made = reduced_case(input, {options.all_readings, options.check}, folder.name());

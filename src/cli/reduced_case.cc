@@ -175,13 +175,13 @@ Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseMod
   const Simulation simulation = simulation_for_waves(input, of_case);
   const Stopwatch watch;
   Reduced made;
-  const bool may_have_circles = why_no_circles_in(simulation).empty();
+  const bool may_have_circles = !options.bare && why_no_circles_in(simulation).empty();
   made.reduction = reduce_bonded(simulation, options.all_readings, may_have_circles);
   made.timing = simulation.timing();
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
-  made.nested = nest(simulation, made.reduction);
-  {
+  if (!options.bare) made.nested = nest(simulation, made.reduction);
+  if (!options.bare) {
     Progress progress("reducing with slip");
     made.slip = reduce_with_slip(simulation, made.reduction, shown_by(progress));
   }

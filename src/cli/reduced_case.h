@@ -36,6 +36,7 @@ struct Reduced {
 struct CaseModelOptions {
   bool all_readings = false;   ///< vectors are added until all readings are good, not F_T alone
   bool against_march = false;  ///< finds the error against a march, too
+  bool bare = false;           ///< without larger models, slip and circles
 };
 
 /// Makes the model of the case, bonded, with progress on the terminal. `folder`: from where the model's own copy of the

@@ -30,6 +30,9 @@ double error_of_soils(const Simulation& member);
 /// A scene's given form that is resolved with all cells: soils differ in how far waves come.
 Scene with_all_cells(Scene given);
 
+/// Share of a scene's tolerance that the basis of all soils may take.
+constexpr double share_of_tolerance = 0.6;
+
 struct SoilModelOptions {
   double tolerance = 2e-3;  ///< of the history of F_T over its peak, for each of the soils by its estimate
   int most_points = 12;

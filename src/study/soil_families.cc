@@ -21,15 +21,13 @@ namespace {
 
 /// Soils that may become points of the basis: enough to see the corners of a box of a dozen keys.
 constexpr std::size_t most_candidates = 24;
-/// Share of the scenes' tolerance that the basis may take.
-constexpr double share_of_tolerance = 0.6;
 
 bool begins(const std::string& text, const std::string& with) {
   return text.compare(0, with.size(), with) == 0;
 }
 
 bool is_of_soil(const std::string& key) {
-  return begins(key, "regions.") || key == "fluid.bulk_modulus";
+  return is_of_region(key) || key == "fluid.bulk_modulus";
 }
 
 /// Settings that change no System, but the course of loads and what is said of the answer.
@@ -102,6 +100,10 @@ SoilFamilyRead family_of(const Study& study, const std::vector<int>& group, bool
 }
 
 }  // namespace
+
+bool is_of_region(const std::string& key) {
+  return begins(key, "regions.");
+}
 
 std::vector<std::vector<int>> soil_groups(const Study& study) {
   const bool shares = study.share == StudyShare::soils || (study.share == StudyShare::all && !study.summaries);

@@ -17,6 +17,9 @@ namespace upbead {
 /// Fewer different soils than these cost less when each is solved: docs/soils.md.
 constexpr std::size_t least_soils = 24;
 
+/// Whether a dotted key is one of a region.
+bool is_of_region(const std::string& key);
+
 /// Numbers of runs that one model may answer: of one case, with the same settings but for those of soils, loads,
 /// sliding and limits, and of at least least_soils different soils; none where the study does not share soils.
 std::vector<std::vector<int>> soil_groups(const Study& study);

@@ -18,15 +18,6 @@ namespace upbead {
 
 namespace {
 
-std::vector<Axis> axes_of(const StudyTables& tables, const Document& document) {
-  std::vector<Axis> axes;
-  const Node* vary = document.find("vary");
-  if (vary && vary->table())
-    for (const auto& [key, node] : *vary->table())
-      if (tables.vary.count(key) != 0) axes.push_back({key, tables.vary.at(key)});
-  return axes;
-}
-
 /// The settings of one run: fixed ones first, so that varied ones override them.
 StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, const Sampler& sampler, int case_index,
                   int number) {
@@ -120,6 +111,15 @@ void make_runs(Study& study, const StudyTables& tables, const std::vector<Axis>&
 }
 
 }  // namespace
+
+std::vector<Axis> axes_of(const StudyTables& tables, const Document& document) {
+  std::vector<Axis> axes;
+  const Node* vary = document.find("vary");
+  if (vary && vary->table())
+    for (const auto& [key, node] : *vary->table())
+      if (tables.vary.count(key) != 0) axes.push_back({key, tables.vary.at(key)});
+  return axes;
+}
 
 std::vector<std::string> overrides_of(const StudyRun& run) {
   std::vector<std::string> list;

@@ -109,6 +109,9 @@ struct Axis {
   VaryTable vary;
 };
 
+/// The tables [vary] in the order of the file.
+std::vector<Axis> axes_of(const StudyTables& tables, const Document& document);
+
 /// The values of a list or a range, in their order. The ends of a range are met exactly.
 std::vector<Literal> values_of(const VaryTable& vary);
 
