@@ -1,5 +1,6 @@
 #include "dynamics/snapshot_basis.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <utility>
@@ -16,6 +17,26 @@ namespace {
 Eigen::MatrixXd outside(const Eigen::Ref<const Eigen::MatrixXd>& Q, Eigen::MatrixXd Y) {
   for (int pass = 0; pass < 2 && Q.cols() > 0; ++pass) Y -= product(Q, transposed_product(Q, Y));
   return Y;
+}
+
+/// The orthonormal columns that span those of D with Q, whose columns are orthonormal, too, and orthogonal to those of
+/// D but for round-off: by Cholesky's factor of D'D, twice for accuracy.
+Eigen::MatrixXd orthonormal_beside(const Eigen::Ref<const Eigen::MatrixXd>& Q, Eigen::MatrixXd D) {
+  for (int pass = 0; pass < 2; ++pass) {
+    if (Q.cols() > 0) D -= product(Q, transposed_product(Q, D));
+    const Eigen::LLT<Eigen::MatrixXd> factor(transposed_product(D, D));
+    const Eigen::MatrixXd to_unit = factor.matrixU().solve(Eigen::MatrixXd::Identity(D.cols(), D.cols()));
+    D = product(D, to_unit);
+  }
+  return D;
+}
+
+/// Number of the last eigenvalues, which ascend, without which at most `rest` of their sum is left.
+Eigen::Index n_that_leave(const Vector& eigenvalues, double sum, double rest) {
+  Eigen::Index n = 0;
+  for (double left = sum; n < eigenvalues.size() && left > rest; ++n)
+    left -= std::max(eigenvalues[eigenvalues.size() - 1 - n], 0.);
+  return n;
 }
 
 }  // namespace
@@ -38,12 +59,11 @@ void SnapshotBasis::add(FieldBasis& basis, Eigen::MatrixXd& held, const Eigen::M
   const Eigen::MatrixXd scaled = basis.unit.cwiseInverse().asDiagonal() * of;
   const Eigen::MatrixXd Y = outside(basis.columns(), scaled);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(transposed_product(Y, Y));
-  double left = Y.squaredNorm();
-  for (Eigen::Index j = Y.cols(); j-- > 0 && left > rest * rest * scaled.squaredNorm();) {
-    Vector direction = product(Y, squares.eigenvectors().col(j));
-    left -= direction.squaredNorm();
-    detail::orthogonalise(basis.columns(), direction);
-    detail::add_column(basis, direction.normalized(), n_coordinates_++);
+  const Eigen::Index n = n_that_leave(squares.eigenvalues(), Y.squaredNorm(), rest * rest * scaled.squaredNorm());
+  if (n > 0) {
+    const Eigen::MatrixXd directions = product(Y, squares.eigenvectors().rightCols(n).rowwise().reverse());
+    const Eigen::MatrixXd added = orthonormal_beside(basis.columns(), directions.colwise().normalized());
+    for (Eigen::Index j = 0; j < n; ++j) detail::add_column(basis, added.col(j), n_coordinates_++);
   }
   const Eigen::Index before = held.cols();
   held.conservativeResizeLike(Eigen::MatrixXd::Zero(basis.n() - kept, before + of.cols()));

@@ -1,5 +1,6 @@
 #include "dynamics/snapshots.h"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -56,9 +57,20 @@ Eigen::MatrixXd coordinates(const ReducedSystem& reduced, const SnapshotOptions&
   return real_columns(Q);
 }
 
+/// The left singular vectors of the columns, times their singular values: what is below round-off is left out, and
+/// fewer columns hold the same products X X'.
+Eigen::MatrixXd condensed(const Eigen::MatrixXd& columns) {
+  constexpr double round_off = 1e-12;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU);
+  const Vector& sizes = svd.singularValues();
+  const Eigen::Index n = (sizes.array() > round_off * sizes[0]).count();
+  return svd.matrixU().leftCols(n) * sizes.head(n).asDiagonal();
+}
+
 Eigen::MatrixXd of_field(const FieldBasis& basis, const Eigen::MatrixXd& Q) {
+  if (basis.coordinate.empty()) return Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(basis.unknown.size()), 0);
   const Eigen::MatrixXd of_basis = Q(basis.coordinate, Eigen::all);
-  return basis.unit.asDiagonal() * product(basis.columns(), of_basis);
+  return basis.unit.asDiagonal() * product(basis.columns(), condensed(of_basis));
 }
 
 }  // namespace
