@@ -10,8 +10,8 @@
 #include "base/text.h"
 #include "case/case_run.h"
 #include "cli/reduced_case.h"
-#include "respond/soil_text.h"
 #include "run/derived.h"
+#include "soils/soil_answers.h"
 #include "soils/soil_model.h"
 #include "study/soil_box.h"
 #include "upbead/base/error.h"
@@ -39,7 +39,7 @@ class SoilsOnMesh {
   }
   std::vector<Scene> scenes(const std::vector<SoilAxis>& box, int from, int to) const {
     std::vector<Scene> list;
-    for (int i = from; i < to; ++i) list.push_back(scene(drawn_soil(box, i)));
+    for (int i = from; i < to; ++i) list.push_back(scene(settings_of(drawn_soil(box, i))));
     return list;
   }
 
@@ -77,11 +77,10 @@ void check_corners(const Simulation& first, const SoilsOnMesh& soils, const std:
 void check_text(const SoilModelFile& file, const Simulation& first, const SoilsOnMesh& soils) {
   const SoilText text(file.regions_text, "the model");
   for (int draw = 0; draw < 2; ++draw) {
-    Soil soil;
-    for (const auto& [key, value] : drawn_soil(file.box, draw)) soil[key] = std::stod(value);
+    const Soil soil = drawn_soil(file.box, draw);
     const auto by_text = text.coefficients(soil);
     const auto by_case =
-        coefficients_of(resolved_on(with_all_cells(soils.scene(drawn_soil(file.box, draw))), first.mesh()).scene);
+        coefficients_of(resolved_on(with_all_cells(soils.scene(settings_of(soil))), first.mesh()).scene);
     for (const AffineTerm& term : file.family.terms) {
       const auto q = static_cast<std::size_t>(term.coefficient);
       const double a = by_text.at(term.region)[q], b = by_case.at(term.region)[q];
@@ -96,10 +95,10 @@ Eigen::MatrixXd points_of(const SoilModelFile& file, const std::vector<int>& poi
   const SoilText text(file.regions_text, "the model");
   Eigen::MatrixXd out(points.size(), file.box.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::vector<Setting> soil = points[p] == 0 ? std::vector<Setting>() : drawn_soil(file.box, points[p] - 1);
+    const Soil soil = points[p] == 0 ? Soil() : drawn_soil(file.box, points[p] - 1);
     for (std::size_t a = 0; a < file.box.size(); ++a)
       out(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(a)) =
-          soil.empty() ? text.number(file.box[a].key).value_or(0.) : std::stod(soil[a].second);
+          soil.empty() ? text.number(file.box[a].key).value_or(0.) : soil.at(file.box[a].key);
   }
   return out;
 }
@@ -142,7 +141,6 @@ SoilsOfCase soils_of_case(Case& input, const CaseOptions& options, const std::ve
   SoilModelFile& file = made.file;
   file.box = box;
   file.regions_text = soil_text(first.scene());
-  file.safety = nested_safety;
   check_own_soil(file, input);
   in_places_of(input, [&] { check_corners(first, soils, box); });
   file.frame = reduced_case(input, first, {false, false, true}, folder).file;

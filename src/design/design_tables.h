@@ -12,6 +12,7 @@
 #include "input/schema.h"
 #include "input/values.h"
 #include "sliding/elastic_block.h"
+#include "soils/soil_text.h"
 #include "upbead/expected/distribution.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
@@ -80,6 +81,7 @@ struct DynamicsTable {
   std::string model;           ///< path of the file
   std::string load;            ///< the load that stands for the wave; "": the only or largest one
   std::optional<double> step;  ///< of the samples (s)
+  Soil soil;                   ///< of a model of soils; keys that are left out have the case's value
 };
 
 /// [impact].
@@ -102,7 +104,8 @@ struct ExpectedTables {
 
 /// [calibration.models.NAME].
 struct ScaledModel : DynamicsTable {
-  double scale = 1.;  ///< length of this model's breakwater over that of [section]
+  double scale = 1.;         ///< length of this model's breakwater over that of [section]
+  std::optional<int> soils;  ///< of a model of soils: so many at random from its box, in place of one
 };
 
 /// [calibration]: a grid of waves and mounds, and the ratios r.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <variant>
 
 #include "base/text.h"
 #include "fem/caisson/reading_names.h"
@@ -89,10 +90,32 @@ double shortest_rise(const Breakwater& breakwater, const ImpactAssumptions& impa
 
 WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, const Section& section,
                           const Water& water, const Place& place) {
-  const ReducedModelFile file = read_model_file(path);
+  const auto file = read_any_model_file(path);
+  if (const auto* one = std::get_if<ReducedModelFile>(&file)) {
+    if (!table.soil.empty())
+      throw InputError(place, "the model '" + path + "' has one soil",
+                       "remove 'soil', or make it by 'upbead reduce --soils'");
+    return wave_model(*one, table, section, water, place);
+  }
+  const SoilAnswers soils(std::get<SoilModelFile>(file), path);
+  return wave_model(of_soil(soils, table.soil, place), table, section, water, place);
+}
+
+ReducedModelFile of_soil(const SoilAnswers& soils, const Soil& soil, const Place& place) {
+  Diagnostics mistakes;
+  try {
+    return soils.at(soils.whole(soil));
+  } catch (const InputError& error) {
+    for (const Diagnostic& mistake : error.diagnostics()) mistakes.add(place, mistake.what, mistake.cure);
+  }
+  throw InputError(mistakes);
+}
+
+WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, const Section& section,
+                     const Water& water, const Place& place) {
   Diagnostics mistakes;
   if (!has(file.modes, reading::force) || !has(file.modes, reading::shear_force) || file.caisson_mass <= 0.)
-    throw InputError(place, "the model '" + path + "' has no caisson, so nothing can slide",
+    throw InputError(place, "the model '" + table.model + "' has no caisson, so nothing can slide",
                      "reduce a case with a caisson");
   const int load = load_of(file, table.load);
   if (load < 0)

@@ -11,6 +11,7 @@
 #include "design/expected_report.h"
 #include "design_tables.h"
 #include "expected/dynamic_law.h"
+#include "soils/soil_answers.h"
 #include "upbead/base/error.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
@@ -26,11 +27,16 @@ struct WaveModel {
   ShearModel shear;
 };
 
-/// Reads the model and chooses the load. Throws InputError with every mistake, at `place` (of [dynamics]): no
-/// caisson, no such load, a load without horizontal force, or a mass that differs from the section's weight by more
-/// than 1 %.
+/// Chooses the load of a reduced model. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson,
+/// no such load, a load without horizontal force, or a mass that differs from the section's weight by more than 1 %.
+WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, const Section& section,
+                     const Water& water, const Place& place);
+/// The same of a file: of a reduced model, or of a model of soils with the soil of the table.
 WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, const Section& section,
                           const Water& water, const Place& place);
+
+/// The reduced model of a soil. Throws InputError with every mistake at `place`, NumericsError as SoilAnswers does.
+ReducedModelFile of_soil(const SoilAnswers& soils, const Soil& soil, const Place& place);
 
 /// A table without mistakes as a climate.
 StormClimate climate_of(const StormsTable& table);

@@ -89,6 +89,9 @@ TableSchema<ScatterTables> scatters_schema() {
 TableSchema<DynamicsTable> dynamics_schema() {
   TableSchema<DynamicsTable> table;
   table.key("model", &DynamicsTable::model, "", "path of a reduced model, made by 'upbead reduce'").required();
+  table.key("soil", &DynamicsTable::soil, "",
+            "of a model of soils, made by 'upbead reduce --soils': its soil, by keys such as "
+            "\"regions.seabed.shear_modulus\"; those left out have the case's value");
   table.key("load", &DynamicsTable::load, "", "name of its load that is the wave")
       .fallback("the only one, or that with the largest peak");
   table.key("step", &DynamicsTable::step, "s", "step of the answers; auto: from the rise of the waves and the model")

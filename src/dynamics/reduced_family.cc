@@ -80,7 +80,8 @@ ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotati
 }
 
 ReducedFamily rotated(const ReducedFamily& family, const Eigen::MatrixXd& rotation) {
-  ReducedFamily out{rotated(family.fixed, rotation), {}, family.n_kept, family.slip_loads, family.slip_readings};
+  ReducedFamily out{
+      rotated(family.fixed, rotation), {}, family.n_kept, family.slip_loads, family.slip_readings, family.safety};
   for (const ReducedSystem& part : family.parts) out.parts.push_back(rotated(part, rotation));
   return out;
 }

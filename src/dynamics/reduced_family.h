@@ -9,6 +9,11 @@
 
 namespace upbead {
 
+/// Share of the directions that the smaller of two nested members has, by which a family's error is estimated.
+constexpr double nested_share = 0.5;
+/// The estimate is at least this multiple of the largest difference between both members' responses, see docs/soils.md.
+constexpr double nested_safety = 1.6;
+
 /// fixed + sum_q factor_q part_q in the coordinates of one basis: M, C, K, and the rows of the readings; all else is
 /// that of `fixed`. The first `n_kept` coordinates are the prescribed unknowns and those that are kept exactly.
 struct ReducedFamily {
@@ -18,6 +23,7 @@ struct ReducedFamily {
   /// Where the members are of a body that slips: its last kept coordinate is the slip, and so many of the last loads
   /// and readings are the slip's.
   int slip_loads = 0, slip_readings = 0;
+  double safety = nested_safety;  ///< the estimate of a member's error over the difference of nested members
 
   bool slips() const { return slip_loads > 0; }
   /// Throws std::invalid_argument where there are not as many factors as parts.
@@ -50,11 +56,6 @@ constexpr int first_of_member = 40, most_of_member = 200;
 FieldBasis of_bonded_members(FieldBasis phi, const ReducedFamily& family);
 /// The basis of phi of a member's own reduction, in unknowns of the scene; `phi`: see of_bonded_members().
 FieldBasis in_scene(const FieldBasis& of_reduction, const FieldBasis& phi);
-
-/// Share of the directions that the smaller of two nested members has, by which a family's error is estimated.
-constexpr double nested_share = 0.5;
-/// The estimate is this multiple of the largest difference between both members' responses, see docs/soils.md.
-constexpr double nested_safety = 1.6;
 
 /// The index in as_system() of a coordinate.
 int unknown_of(const ReducedSystem& member, int coordinate);

@@ -83,7 +83,7 @@ Snapshots snapshots(const System& system, const SnapshotOptions& options) {
   const Projection projection(system, krylov);
   Eigen::MatrixXd Q = coordinates(projection.reduced(), options);
   Q /= Q.norm();
-  return {of_field(krylov.displacements(), Q), of_field(krylov.phi(), Q)};
+  return {of_field(krylov.displacements(), Q), of_field(krylov.phi(), Q), projection.reduced()};
 }
 
 std::vector<Complex> snapshot_frequencies(double end, double highest, int most) {

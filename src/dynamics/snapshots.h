@@ -7,12 +7,14 @@
 
 #include "upbead/dynamics/krylov.h"
 #include "upbead/dynamics/modal_response.h"
+#include "upbead/dynamics/reduced_system.h"
 
 namespace upbead {
 
 /// By column, for both kinds of unknowns, in the order of FieldBasis::unknown; not in its units.
 struct Snapshots {
   Eigen::MatrixXd displacements, phi;
+  ReducedSystem own;  ///< the System in its own Krylov space: its first coordinates are those that are kept
 };
 
 /// How a System's response is found.

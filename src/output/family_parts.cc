@@ -36,6 +36,7 @@ const auto fields_of_family = [](auto& family, const auto& visit) {
   visit("n_kept", family.reduced.n_kept);
   visit("slip_loads", family.reduced.slip_loads);
   visit("slip_readings", family.reduced.slip_readings);
+  visit("safety", family.reduced.safety, positive);
   visit("shift", family.reduced.fixed.shift, positive);
   visit("tolerance", family.tolerance, positive);
 };

@@ -55,7 +55,6 @@ SoilModelFile read_soils(ModelParts& parts) {
   model.frame = read_model(parts);
   model.box = read_box(parts);
   model.regions_text = parts.texts("/regions", 1).front();
-  model.safety = parts.number("/box", "safety", true);
   model.family = read_family(parts, family_group);
   model.points = parts.matrix("/box/points", static_cast<std::size_t>(model.family.factors.rows()), model.box.size());
   parts.require_checksum();
@@ -71,7 +70,6 @@ std::string soil_model_file(const SoilModelFile& model) {
   image.attribute("/", "format_version", soil_model_kind.newest);
   write_model(image, model.frame);
   write_box(image, model.box);
-  image.attribute("/box", "safety", model.safety);
   image.text("/regions", model.regions_text);
   write_family(image, family_group, model.family);
   write_matrix(image, "/box/points", model.points, {"", "soils that were solved, by axis of the box"});

@@ -42,7 +42,6 @@ struct SoilModelFile {
   std::string regions_text;
   SoilFamilyFile family;
   Eigen::MatrixXd points;  ///< soils that were solved (rows), by axis of the box
-  double safety = 0.;      ///< by which the difference of nested members was multiplied in the estimates
 };
 
 /// The bytes of the file. Throws NumericsError where a number is not finite, std::logic_error where a matrix of the

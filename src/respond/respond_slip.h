@@ -25,9 +25,6 @@ Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vecto
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
                         const Eigen::RowVectorXd& shear, const Eigen::RowVectorXd& U);
 
-/// Joins the two loads of the system, with one history, that stand for a load which prescribes a pore pressure.
-void join_pore_pressures(ModalModel& model);
-
 /// Computes the slip of waves with one step.
 struct WaveSlip {
   CoupledSlip slip;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/numbers.h"
@@ -64,6 +65,11 @@ void count_slip(SoilFamily& family) {
   family.reduced.slip_readings = static_cast<int>(slips.readings.size() - bonded.readings.size());
 }
 
+/// Largest difference over the largest value of `exact`.
+double difference(const Eigen::RowVectorXd& y, const Eigen::RowVectorXd& exact) {
+  return (y - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+}
+
 /// Basis and projections, which grow point by point.
 class Builder {
  public:
@@ -76,8 +82,9 @@ class Builder {
     for (const System& part : affine.parts) add_projection(part);
   }
 
-  /// Solves the soils side by side.
-  void add_points(const std::vector<Factors>& points, const std::function<void(double)>& progress) {
+  /// Solves the soils side by side; returns each in its own Krylov space.
+  std::vector<ReducedSystem> add_points(const std::vector<Factors>& points,
+                                        const std::function<void(double)>& progress) {
     std::vector<Snapshots> found(points.size());
     in_parallel(points.size(), "", [&](std::size_t i) {
       SnapshotOptions options = snapshots_;
@@ -86,11 +93,14 @@ class Builder {
     });
     for (const Snapshots& of_point : found) basis_.add(of_point, rest_of_point);
     for (Projection& projection : projections_) projection.extend();
+    std::vector<ReducedSystem> own;
+    for (Snapshots& of_point : found) own.push_back(std::move(of_point.own));
+    return own;
   }
 
   void tell(SoilFamily& family) const {
     const Eigen::MatrixXd sorting = basis_.sorting();
-    ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept()};
+    ReducedFamily reduced{projections_.front().reduced(), {}, basis_.n_kept(), 0, 0, family.reduced.safety};
     for (std::size_t q = 1; q < projections_.size(); ++q) reduced.parts.push_back(projections_[q].reduced());
     family.reduced = rotated(reduced, sorting);
     family.phi = basis_.phi_in(sorting);
@@ -133,17 +143,88 @@ SlipSystem SoilFamily::slips_at(const Factors& factors) const {
 
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors) {
   const Eigen::RowVectorXd all = shear_of(family, scene, factors, 1.);
-  const Eigen::RowVectorXd fewer = shear_of(family, scene, factors, nested_share);
-  return nested_safety * (all - fewer).cwiseAbs().maxCoeff() / all.cwiseAbs().maxCoeff();
+  return family.reduced.safety * difference(shear_of(family, scene, factors, nested_share), all);
 }
 
 namespace {
+
+/// What was true of a soil before it became a point.
+struct Judged {
+  double error = 0.;   ///< of the history of F_T over its peak
+  double nested = 0.;  ///< difference of nested members
+};
+
+/// `own`: the soil in its own Krylov space.
+Judged judge(const SoilFamily& family, const Scene& scene, const Factors& soil, const ReducedSystem& own) {
+  SoilFamily alone{{own, {}, family.reduced.n_kept}, {}, family.like, family.slipping};
+  if (alone.slipping) count_slip(alone);
+  const Eigen::RowVectorXd exact = shear_of(alone, scene, {}, 1.), all = shear_of(family, scene, soil, 1.);
+  return {difference(all, exact), difference(shear_of(family, scene, soil, nested_share), exact)};
+}
+
+/// What the points told of the family before they became points, see docs/soils.md.
+class Proofs {
+ public:
+  explicit Proofs(double tolerance) : tolerance_(tolerance) {}
+
+  /// Looks at points that the family does not hold yet; returns whether all of them met the tolerance.
+  bool see(const SoilFamily& family, const Scene& scene, const std::vector<Factors>& points,
+           const std::vector<ReducedSystem>& own) {
+    if (family.reduced.fixed.size() == 0) return false;  // none is made yet
+    std::vector<double> ratios;
+    bool all_met = true;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Judged judged = judge(family, scene, points[i], own[i]);
+      ratios.push_back(judged.error / std::max(judged.nested, least_nested * tolerance_));
+      all_met = all_met && judged.error <= tolerance_;
+    }
+    before_ = std::exchange(latest_, *std::max_element(ratios.begin(), ratios.end()));
+    return all_met;
+  }
+  /// By the last two rounds.
+  double safety() const { return std::max(nested_safety, over_judged * std::max(before_, latest_)); }
+
+ private:
+  static constexpr double over_judged = 1.3;    ///< the estimate stays above the largest error that was seen
+  static constexpr double least_nested = 0.02;  ///< of the tolerance: nested members that agree so well tell nothing
+
+  double tolerance_, before_ = 0., latest_ = 0.;
+};
+
+/// By the logarithms of factors.
+double square_of_distance(const Factors& one, const Factors& other) {
+  double square = 0.;
+  for (std::size_t q = 0; q < one.size(); ++q)
+    if (one[q] > 0. && other[q] > 0.) square += std::pow(std::log(one[q] / other[q]), 2);
+  return square;
+}
 
 /// Which candidates are far off, and how far.
 class Candidates {
  public:
   Candidates(const Scene& scene, const SoilFamilyOptions& options)
       : scene_(scene), options_(options), estimates_(options.candidates.size(), infinity) {}
+
+  /// The first candidate, and one that is unlike.
+  std::vector<int> first() const {
+    const int other = most_unlike({0});
+    return other < 0 ? std::vector<int>{0} : std::vector<int>{0, other};
+  }
+  /// Soils to be solved next: the one with the largest estimate, where one exceeds the tolerance, and others that are
+  /// as unlike all points as can be, of which an estimate knows least.
+  std::vector<int> next(const SoilFamily& family, std::size_t n) {
+    std::vector<int> list = worst(family, 1);
+    while (list.size() < n) {
+      const int other = most_unlike(list);
+      if (other < 0) break;
+      list.push_back(other);
+    }
+    return list;
+  }
+  /// Older estimates are kept as bounds; with another factor they are other numbers.
+  void scale(double by) {
+    for (double& estimate : estimates_) estimate *= by;
+  }
 
   /// The candidates with the largest estimates that are no points yet. Those that were far off before are looked at
   /// first, and one whose older estimate is below the largest new one is not looked at again, as estimates fall with
@@ -173,6 +254,25 @@ class Candidates {
   }
 
  private:
+  /// The candidate that is farthest from the nearest point, and from those that will be points; -1 where none is left.
+  int most_unlike(const std::vector<int>& chosen) const {
+    std::set<std::size_t> taken = points_;
+    taken.insert(chosen.begin(), chosen.end());
+    int found = -1;
+    double farthest = -1.;
+    for (std::size_t i = 0; i < options_.candidates.size(); ++i) {
+      if (taken.count(i) > 0) continue;
+      double nearest = infinity;
+      for (const std::size_t p : taken)
+        nearest = std::min(nearest, square_of_distance(options_.candidates[i], options_.candidates[p]));
+      if (nearest > farthest) {
+        farthest = nearest;
+        found = static_cast<int>(i);
+      }
+    }
+    return found;
+  }
+
   std::vector<std::size_t> by_estimate() const {
     std::vector<std::size_t> order(estimates_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -187,23 +287,6 @@ class Candidates {
   std::set<std::size_t> points_;
 };
 
-/// The candidate that lies farthest from the first one, by the logarithms of its factors.
-int farthest(const std::vector<Factors>& candidates) {
-  int found = 0;
-  double largest = 0.;
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    double square = 0.;
-    for (std::size_t q = 0; q < candidates[i].size(); ++q)
-      if (candidates[i][q] > 0. && candidates[0][q] > 0.)
-        square += std::pow(std::log(candidates[i][q] / candidates[0][q]), 2);
-    if (square > largest) {
-      largest = square;
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
@@ -211,13 +294,13 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
   const Scene member = for_member(scene, options.tolerance);
   Builder builder(scene, affine, options.candidates.front());
   Candidates candidates(member, options);
+  Proofs proofs(options.tolerance);
   SoilFamilyMade made;
   made.family.like = like;
   made.family.like.system = without_matrices(like.system);
   if (affine.fixed.system.loads.size() > like.system.loads.size())
     made.family.slipping = without_matrices(affine.fixed.system);
-  std::vector<int> next{0};
-  if (const int far = farthest(options.candidates); far > 0) next.push_back(far);
+  std::vector<int> next = candidates.first();
   while (!next.empty()) {
     check_interrupt();
     std::vector<Factors> points;
@@ -225,10 +308,15 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     const double begin = static_cast<double>(made.points.size()) / options.most_points;
     made.points.insert(made.points.end(), next.begin(), next.end());
     const double end = static_cast<double>(made.points.size()) / options.most_points;
-    builder.add_points(points, part_of(options.progress, begin, 0.5 * (begin + end)));
+    const std::vector<ReducedSystem> own =
+        builder.add_points(points, part_of(options.progress, begin, 0.5 * (begin + end)));
+    const bool proven = proofs.see(made.family, member, points, own);
+    candidates.scale(proofs.safety() / made.family.reduced.safety);
+    made.family.reduced.safety = proofs.safety();
     builder.tell(made.family);
-    next = candidates.worst(made.family, points_at_once);
+    next = candidates.next(made.family, points_at_once);
     made.estimates.push_back(candidates.largest());
+    if (proven && candidates.largest() <= options.tolerance) break;
     const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();
     next.resize(std::min(next.size(), left));
   }

@@ -49,8 +49,10 @@ struct SoilFamilyMade {
   std::vector<double> estimates;  ///< largest estimate over the candidates, after each point
 };
 
-/// Solves soils, two side by side, each time those with the largest estimates (a greedy choice: Veroy, Prud'homme,
-/// Rovas and Patera 2003), until all candidates meet the tolerance, or `most_points` are solved. `affine` is of the
+/// Solves soils, two side by side, each time that with the largest estimate (a greedy choice: Veroy, Prud'homme, Rovas
+/// and Patera 2003) and that which is least like all points, until all candidates meet the tolerance by their estimates
+/// and the last two did by their errors before they became points, or `most_points` are solved. From these errors
+/// follows the factor of the estimates. `affine` is of the
 /// bonded scene or, see with_slip(), of a caisson that slips; `like`: the bonded scene, compiled. Throws NumericsError
 /// as snapshots() does.
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
@@ -60,7 +62,8 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
 /// its body_coordinates the unknowns that are kept exactly.
 AffineScene with_slip(const AffineScene& affine);
 
-/// Largest difference of F_T between nested members over its peak, times nested_safety, under the scene's own loads.
+/// Largest difference of F_T between nested members over its peak, times the family's safety, under the scene's own
+/// loads.
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors);
 
 }  // namespace upbead

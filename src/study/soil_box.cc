@@ -12,7 +12,6 @@ namespace upbead {
 
 namespace {
 
-constexpr std::uint64_t seed_of_soils = 1;
 constexpr double deviations = 3.;     ///< of a bell's box, to both sides
 constexpr double many_times = 3.;     ///< a list of values that spans more is spread over its logarithm
 constexpr std::size_t most_keys = 6;  ///< of one region, whose corners are looked at
@@ -83,16 +82,10 @@ std::vector<SoilAxis> read_soil_box(const std::string& path) {
   return box;
 }
 
-std::vector<Setting> drawn_soil(const std::vector<SoilAxis>& box, int draw) {
-  std::vector<Setting> soil;
-  for (const SoilAxis& of : box) {
-    Axis axis{of.key, {}};
-    axis.vary.distribution = of.logarithmic ? DrawnBy::log_uniform : DrawnBy::uniform;
-    axis.vary.low = of.low;
-    axis.vary.high = of.high;
-    soil.emplace_back(of.key, drawn_value(axis, seed_of_soils, draw).toml);
-  }
-  return soil;
+std::vector<Setting> settings_of(const Soil& soil) {
+  std::vector<Setting> list;
+  for (const auto& [key, value] : soil) list.emplace_back(key, literal(value).toml);
+  return list;
 }
 
 std::vector<std::vector<Setting>> corners_by_region(const std::vector<SoilAxis>& box) {

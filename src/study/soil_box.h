@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/soil_model_file.h"
+#include "soils/soil_text.h"
 #include "study/study.h"
 
 namespace upbead {
@@ -14,8 +15,8 @@ namespace upbead {
 /// log-normal one. Throws InputError with every mistake, such as a key that is none of a soil.
 std::vector<SoilAxis> read_soil_box(const std::string& path);
 
-/// Soil number `draw` of many at random, uniform over the box or over the logarithms of its keys.
-std::vector<Setting> drawn_soil(const std::vector<SoilAxis>& box, int draw);
+/// A soil as settings of a case.
+std::vector<Setting> settings_of(const Soil& soil);
 
 /// The soils at which numbers of one region reach the ends of the box, all others being those of the case: region by
 /// region, as each decides by its own numbers.

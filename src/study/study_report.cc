@@ -66,7 +66,7 @@ Json skipped(const Results& results) {
   add(count(results, Shared::basis), "mesh, equations and basis",
       "the run before had loads of the same shortest duration, too");
   add(count(results, Shared::solution), "mesh and solution", "the run before differed in what is only told");
-  add(count(results, Shared::soils), "equations of their own, pressure of the water everywhere,",
+  add(count(results, Shared::soils), "equations of their own",
       "one model answers all soils, within their error_estimate; share = \"stages\" solves each by itself");
   return list;
 }

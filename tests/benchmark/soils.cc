@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   int n_phi = 0;
   for (const bool p : made.family.reduced.fixed.is_phi) n_phi += p;
   std::cout << "family of " << made.points.size() << " points, R = " << made.family.reduced.fixed.size() - n_phi
-            << " + " << n_phi << ", " << watch.seconds() << " s; estimates";
+            << " + " << n_phi << ", safety " << made.family.reduced.safety << ", " << watch.seconds() << " s; estimates";
   for (const double e : made.estimates) std::cout << " " << e;
   std::cout << "\n";
   std::vector<double> errors, ratios, online;
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
       const Eigen::RowVectorXd less = respond(reduce_scene(m, smaller, only_shear()).model, loads).reading.row(F);
       per_share[share].push_back((near - less).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff() / errors.back());
     }
-    ratios.push_back(nested_safety * per_share[nested_share].back());
+    ratios.push_back(made.family.reduced.safety * per_share[nested_share].back());
   }
   for (auto& [share, list] : per_share) {
     std::sort(list.begin(), list.end());

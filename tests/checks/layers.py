@@ -29,7 +29,7 @@ ALLOWED = {
     "case": RUN + ["input", "run", "findings"],
     "soils": RUN + ["input", "run", "findings", "case"],
     "respond": RUN + ["input", "run", "findings", "case", "soils"],
-    "design": RUN + ["input", "run", "findings", "case"],
+    "design": RUN + ["input", "run", "findings", "case", "soils"],
     "study": RUN + ["input", "run", "findings", "case", "soils"],
     "reliability": RUN + ["input", "run", "findings", "case", "design"],
     "cli": RUN + ["input", "run", "findings", "case", "soils", "respond", "design", "study", "reliability"],

@@ -209,7 +209,7 @@ class Study(ProgramTest):
             self.assertEqual(file["runs/done"][:].sum(), 4)
 
     def journal_lines(self, out):
-        return sum(max(0, len(path.read_text().splitlines()) - 1) for path in (self.folder / out / "journal").glob("*"))
+        return sum(max(0, len(path.read_text().splitlines()) - 1) for path in (self.folder / out / "journal").glob("*.jsonl"))
 
     def kill_in_the_middle(self, n, how, group, *arguments):
         """Starts a study of n runs and ends it after some of them."""
@@ -236,7 +236,7 @@ class Study(ProgramTest):
         self.study("--out", "whole")
         self.kill_in_the_middle(n, signal.SIGKILL, True, "--jobs", jobs)
         self.assertFalse((self.folder / "killed/study.csv").exists())
-        journal = next(path for path in (self.folder / "killed/journal").glob("*") if self.lines(path) > 2)
+        journal = next(path for path in (self.folder / "killed/journal").glob("*.jsonl") if self.lines(path) > 2)
         text = journal.read_text()
         journal.write_text(text[:-20])  # as if killed while it wrote
         resumed = json.loads(self.study("--out", "killed", "--json", jobs=jobs).stdout)

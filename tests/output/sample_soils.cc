@@ -63,7 +63,6 @@ SoilModelFile two_soils() {
   model.frame = oscillator();
   model.box = {{"regions.sand.shear_modulus", 1e7, 1e8, true}, {"regions.sand.hydraulic_conductivity", 1e-2, 1., true}};
   model.regions_text = sand;
-  model.safety = nested_safety;
   SoilFamilyFile& f = model.family;
   f.terms = {{"sand", Coefficient::G}, {"sand", Coefficient::mobility}};
   f.reduced = family();

@@ -1,5 +1,5 @@
 // Claim: the answer of a soil is the reduced model of its System, and a soil outside the box is refused with the box.
-#include "respond/soil_answers.h"
+#include "soils/soil_answers.h"
 
 #include <gtest/gtest.h>
 

@@ -44,4 +44,7 @@ struct ModalModel {
   std::complex<double> transfer(int i, int k, std::complex<double> s) const;
 };
 
+/// Joins the two loads of a System, with one history, that stand for a load which prescribes a pore pressure.
+void join_pore_pressures(ModalModel& model);
+
 }  // namespace upbead

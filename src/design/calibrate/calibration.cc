@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "design/calibrate/calibration_waves.h"
 #include "design/expected_laws.h"
+#include "soils/soil_answers.h"
 #include "upbead/sliding/history_sliding.h"
 
 namespace upbead {
@@ -110,25 +111,64 @@ std::vector<CalibrationFit> fits(const CalibratedModel& model, const std::vector
   return list;
 }
 
+/// One model and the place of its table.
+struct Calibrator {
+  Calibrator(const Design& design, const CalibrationWaves& waves, const std::string& of)
+      : name(of),
+        given(design.tables.duration),
+        table(design.tables.calibration->models.at(of)),
+        path(design.resolve(table.model)),
+        place(design.document.place(dotted("calibration.models", of))),
+        setting(setting_at(design.tables, waves, table.scale)) {}
+
+  CalibratedModel of(const WaveModel& model) const {
+    CalibratedModel out;
+    out.name = name;
+    out.title = model.title;
+    out.load = model.load;
+    out.scale = table.scale;
+    out.shortest_rise = shortest_rise(setting);
+    out.step = table.step.value_or(out.shortest_rise / steps_of_a_rise);
+    const auto answer = std::make_shared<const ShearAnswer>(model.shear, out.step, 0.);
+    out.waves.resize(setting.waves.size());
+    in_parallel(out.waves.size(), "calibrating " + name,
+                [&](std::size_t i) { out.waves[i] = calibrate_wave(setting, i, answer); });
+    out.fits = fits(out, setting.ratios, given);
+    return out;
+  }
+
+  CalibratedModel of_soils(const SoilAnswers& soils) const {
+    CalibratedModel all;
+    for (int i = 0; i < *table.soils; ++i) {
+      const Soil soil = drawn_soil(soils.file().box, i);
+      const ReducedModelFile model = of_soil(soils, soil, place);
+      CalibratedModel one = of(wave_model(model, table, setting.section, setting.water, place));
+      const CalibrationFit* taken = recommended(one);
+      std::vector<CalibratedSoil> before = std::move(all.soils);
+      before.push_back({soil, model.error, taken ? taken->fit : std::nullopt});
+      if (i > 0) one.waves.insert(one.waves.begin(), all.waves.begin(), all.waves.end());
+      all = std::move(one);
+      all.soils = std::move(before);
+    }
+    all.fits = fits(all, setting.ratios, given);
+    return all;
+  }
+
+  std::string name;
+  DurationFactor given;
+  const ScaledModel& table;
+  std::string path;
+  Place place;
+  Setting setting;
+};
+
 CalibratedModel calibrate_model(const Design& design, const CalibrationWaves& waves, const std::string& name) {
-  const DesignTables& tables = design.tables;
-  const ScaledModel& table = tables.calibration->models.at(name);
-  const Setting setting = setting_at(tables, waves, table.scale);
-  const WaveModel model = read_wave_model(design.resolve(table.model), table, setting.section, setting.water,
-                                          design.document.place(dotted("calibration.models", name)));
-  CalibratedModel out;
-  out.name = name;
-  out.title = model.title;
-  out.load = model.load;
-  out.scale = table.scale;
-  out.shortest_rise = shortest_rise(setting);
-  out.step = table.step.value_or(out.shortest_rise / steps_of_a_rise);
-  const auto answer = std::make_shared<const ShearAnswer>(model.shear, out.step, 0.);
-  out.waves.resize(setting.waves.size());
-  in_parallel(out.waves.size(), "calibrating " + name,
-              [&](std::size_t i) { out.waves[i] = calibrate_wave(setting, i, answer); });
-  out.fits = fits(out, setting.ratios, tables.duration);
-  return out;
+  const Calibrator calibrator(design, waves, name);
+  const ScaledModel& table = calibrator.table;
+  if (!table.soils)
+    return calibrator.of(read_wave_model(calibrator.path, table, calibrator.setting.section, calibrator.setting.water,
+                                         calibrator.place));
+  return calibrator.of_soils({read_soil_model_file(calibrator.path), calibrator.path});
 }
 
 constexpr double most_waves = 1e6;  // waves of the grid: minutes
@@ -150,6 +190,8 @@ void check_models(const DesignTables& tables, const Document& document, Diagnost
   if (!report.sound("section") || !report.sound("gravity") || !report.sound("fluid")) return;
   for (const auto& [name, model] : models) {
     const std::string path = dotted("calibration.models", name);
+    if (model.soils && !model.soil.empty())
+      report.add(document.place(path), "[" + path + "] has 'soil' and 'soils'", "keep one of them");
     if (report.sound(path))
       check_model(path, model, scaled(tables.section, model.scale), tables.water, document, report);
   }

@@ -108,6 +108,20 @@ OutputSchema<CalibrationFit> recommended_outputs() {
           "residual_deviation", [](const C& c) { return c.fit->residual_deviation; }, "", "of k");
 }
 
+OutputSchema<CalibratedSoil> calibrated_soil_outputs() {
+  using S = CalibratedSoil;
+  return OutputSchema<S>()
+      .key(
+          "soil.KEY", [](const S& s) { return Json(s.soil); }, "", "value of each key of the box")
+      .key("error", &S::error, "", "estimated, of the model's history of F_T over its peak")
+      .key(
+          "a", [](const S& s) { return s.fit ? std::optional(s.fit->best.a) : std::nullopt; }, "",
+          "of its own recommended k(alpha*); null where all fits are doubted")
+      .key(
+          "b", [](const S& s) { return s.fit ? std::optional(s.fit->best.b) : std::nullopt; }, "",
+          "of its own recommended k(alpha*)");
+}
+
 OutputSchema<CalibratedModel> calibrated_model_outputs() {
   using M = CalibratedModel;
   return OutputSchema<M>()
@@ -120,7 +134,8 @@ OutputSchema<CalibratedModel> calibrated_model_outputs() {
           "recommended", [](const M& m) { return recommended(m); }, recommended_outputs(),
           "the fit to take for design: of S itself, at all r; where that is doubted the one of `exact` with the least "
           "residual that is not; null where all are")
-      .list("fits[]", &M::fits, fit_outputs(), "by measure and r");
+      .list("fits[]", &M::fits, fit_outputs(), "by measure and r")
+      .list("soils[]", &M::soils, calibrated_soil_outputs(), "of a [model of soils](soils.md): each, and its own fit");
 }
 
 OutputSchema<ImpactTable> impact_outputs() {

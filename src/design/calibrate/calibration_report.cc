@@ -51,6 +51,21 @@ std::string row(const CalibrationFit& found) {
          given + remark(found) + "\n";
 }
 
+/// Between which a and b the soils lie, each with its own fit.
+std::string text_of_soils(const std::vector<CalibratedSoil>& soils) {
+  std::vector<double> a, b;
+  for (const CalibratedSoil& soil : soils)
+    if (soil.fit) {
+      a.push_back(soil.fit->best.a);
+      b.push_back(soil.fit->best.b);
+    }
+  if (a.empty()) return "";
+  const auto range = [](const std::vector<double>& list) { return std::minmax_element(list.begin(), list.end()); };
+  return format("  soils       %d of %d with a fit of their own: a from %.4g to %.4g, b from %.4g to %.4g\n",
+                static_cast<int>(a.size()), static_cast<int>(soils.size()), *range(a).first, *range(a).second,
+                *range(b).first, *range(b).second);
+}
+
 std::string text_of(const CalibratedModel& model, const DurationFactor& given) {
   double least = HUGE_VAL, largest = 0.;
   for (const CalibratedWave& wave : model.waves) {
@@ -62,6 +77,7 @@ std::string text_of(const CalibratedModel& model, const DurationFactor& given) {
   text += format("  %-8s %-5s %6s  %-16s %-16s %8s %8s %s\n", "measure", "r", "waves", "a", "b", "s", "R2",
                  format("with a = %.3g, b = %.3g: s, R2", given.a, given.b).c_str());
   for (const CalibrationFit& fit : model.fits) text += row(fit);
+  text += text_of_soils(model.soils);
   const CalibrationFit* take = recommended(model);
   if (!take) return text + "  for design  none: every fit of S itself is doubted\n";
   return text +

@@ -11,6 +11,7 @@
 #include "design/calibrate/calibration_waves.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
+#include "soils/soil_text.h"
 #include "upbead/base/numbered_warning.h"
 
 namespace upbead {
@@ -50,8 +51,16 @@ struct CalibrationFit {
   bool given_in_ellipse = false;
 };
 
+/// The recommended fit to the waves of one soil.
+struct CalibratedSoil {
+  Soil soil;
+  double error = 0.;  ///< of the model's F_T, of its peak
+  std::optional<DurationFit> fit;
+};
+
 struct CalibratedModel {
   std::string name, title, load;
+  std::vector<CalibratedSoil> soils;  ///< of a model of soils whose waves are all in the fits
   double scale = 1.;
   double step = 0., shortest_rise = 0.;  ///< s
   std::vector<CalibratedWave> waves;

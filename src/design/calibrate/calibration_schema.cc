@@ -57,6 +57,11 @@ Diagnostics read_list(const Node& node, const KeyInfo& key, std::vector<double>&
 TableSchema<ScaledModel> model_schema() {
   TableSchema<ScaledModel> table;
   table.key("model", &ScaledModel::model, "", "path of a reduced model, made by 'upbead reduce'").required();
+  table.key("soil", &ScaledModel::soil, "",
+            "of a model of soils, made by 'upbead reduce --soils': its soil, by keys such as "
+            "\"regions.seabed.shear_modulus\"; those left out have the case's value");
+  table.key("soils", &ScaledModel::soils, "", "of a model of soils: so many at random from its box, all in one fit")
+      .range(from_to(2., 1000.));
   table.key("load", &ScaledModel::load, "", "name of its load that is the wave")
       .fallback("the only one, or that with the largest peak");
   table.key("step", &ScaledModel::step, "s", "step of the answers; auto: 1/80 of the shortest rise")

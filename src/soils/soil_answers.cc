@@ -1,4 +1,4 @@
-#include "respond/soil_answers.h"
+#include "soils/soil_answers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/caisson/reading_names.h"
-#include "respond/respond_slip.h"
 #include "upbead/dynamics/reduce.h"
+#include "upbead/expected/distribution.h"
 
 namespace upbead {
 
@@ -92,9 +92,9 @@ struct MemberError {
                              fewer = respond(nested.middle, training).reading.row(0);
     const double largest = all.cwiseAbs().maxCoeff();
     if (largest == 0.) return;
-    history = nested_safety * (all - fewer).cwiseAbs().maxCoeff() / largest;
+    history = nested.safety * (all - fewer).cwiseAbs().maxCoeff() / largest;
     const double up = std::abs(all.maxCoeff() - fewer.maxCoeff()), down = std::abs(all.minCoeff() - fewer.minCoeff());
-    peak = nested_safety * std::max(up, down) / largest;
+    peak = nested.safety * std::max(up, down) / largest;
   }
   double history = 0., peak = 0.;
 };
@@ -161,7 +161,7 @@ ReducedModelFile SoilAnswers::at(const Soil& whole) const {
   const OneReadingOf fewer(family.reduced.bonded(of_soil, nested_share), like_, shear);
   const Reduction middle = reduce(fewer.system(), options_of(family, fewer.member, 0));
   NestedModels nested{middle.model, row_of(reduction.model, shear), reduction.n_solves + middle.n_solves, 2,
-                      nested_safety};
+                      family.reduced.safety};
   const MemberError error(nested, family.training);
   const double agreed =
       agreed_frequency(nested.middle, nested.reference, {0}, transfer_tolerance * file_.frame.tolerance,
@@ -186,6 +186,18 @@ std::string SoilAnswers::box_text() const {
   for (const SoilAxis& axis : file_.box)
     list.push_back(axis.key + " from " + number_text(axis.low) + " to " + number_text(axis.high));
   return join(list, ", ");
+}
+
+Soil drawn_soil(const std::vector<SoilAxis>& box, int draw) {
+  constexpr std::uint64_t seed = 1;
+  Soil soil;
+  for (std::size_t a = 0; a < box.size(); ++a) {
+    const SoilAxis& axis = box[a];
+    const double share = Stream(seed).uniform({static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(a), 0, 0});
+    soil[axis.key] =
+        axis.logarithmic ? axis.low * std::pow(axis.high / axis.low, share) : axis.low + share * (axis.high - axis.low);
+  }
+  return soil;
 }
 
 std::string soil_in_words(const Soil& soil) {

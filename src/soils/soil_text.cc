@@ -1,4 +1,4 @@
-#include "respond/soil_text.h"
+#include "soils/soil_text.h"
 
 #include <utility>
 #include <vector>

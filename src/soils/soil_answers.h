@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "output/soil_model_file.h"
-#include "respond/soil_text.h"
+#include "soils/soil_text.h"
 
 namespace upbead {
 
@@ -35,6 +35,9 @@ class SoilAnswers {
   SoilText text_;
   System like_;  ///< see without_matrices()
 };
+
+/// Soil number `draw` of many at random, uniform over the box or over the logarithms of its keys.
+Soil drawn_soil(const std::vector<SoilAxis>& box, int draw);
 
 /// "regions.seabed.shear_modulus = 25000000, ...".
 std::string soil_in_words(const Soil& soil);
