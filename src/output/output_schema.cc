@@ -42,9 +42,9 @@ std::string sentence(std::string words) {
 
 }  // namespace
 
-std::string json_text(const Json& json) {
+std::string json_text(const Json& json, int indent) {
   require_finite(json, "");
-  return json.dump(2) + "\n";
+  return json.dump(indent) + "\n";
 }
 
 std::string markdown(const std::vector<OutputRow>& rows) {

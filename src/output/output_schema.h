@@ -24,9 +24,10 @@ namespace upbead {
 
 using Json = nlohmann::ordered_json;
 
-/// The text, indented by two, with a final newline. JSON cannot express a number that is not finite: throws
-/// NumericsError with its path.
-std::string json_text(const Json& json);
+/// The text, indented (one_line: not at all), with a final newline. JSON cannot express a number that is not finite:
+/// throws NumericsError with its path.
+constexpr int one_line = -1;
+std::string json_text(const Json& json, int indent = 2);
 
 struct OutputRow {
   std::string path;  ///< "response.peak_shear", "sliding.slips[].start", "loads.NAME.arm"

@@ -108,6 +108,12 @@ OutputSchema<Answers> model_outputs() {
       .or_left_out();
 }
 
+OutputSchema<NamedWave> named_wave_outputs() {
+  return OutputSchema<NamedWave>()
+      .key("name", &NamedWave::name, "", "of the file, with `[i]` counted from 0 where it holds several")
+      .keys_of(&NamedWave::wave, wave_outputs());
+}
+
 const OutputSchema<Answers>& answers_outputs() {
   using A = Answers;
   using T = RespondTiming;
@@ -116,10 +122,6 @@ const OutputSchema<Answers>& answers_outputs() {
                           .key("respond", &T::respond, "s", "answering")
                           .key("write", &T::write, "s", "writing")
                           .key("total", &T::total, "s", "since the start of the program");
-  const auto wave =
-      OutputSchema<NamedWave>()
-          .key("name", &NamedWave::name, "", "of the file, with `[i]` counted from 0 where it holds several")
-          .keys_of(&NamedWave::wave, wave_outputs());
   const auto per_second = [](const A& a) {
     const auto n = static_cast<double>(a.waves.size());
     return a.timing.respond > 0. ? std::optional(n / a.timing.respond) : std::nullopt;
@@ -128,7 +130,7 @@ const OutputSchema<Answers>& answers_outputs() {
                                  .program()
                                  .object(
                                      "model", [](const A& a) { return &a; }, model_outputs(), "the reduced model")
-                                 .list("waves[]", &A::waves, wave, "each wave")
+                                 .list("waves[]", &A::waves, named_wave_outputs(), "each wave")
                                  .list("warnings[]", &A::warnings, warning_outputs(),
                                        "[what may be wrong](warnings.md#reduced-models) though nothing failed")
                                  .object("timing", &A::timing, timing, "wall times")
@@ -183,6 +185,18 @@ void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
                 {"N/m", "F_T, shear force at the caisson's bottom, landward on the ground"});
 }
 
+/// The histories of a wave that were asked for, with their times and errors.
+void add_histories(const WaveResponses& file, std::size_t w, Json& json) {
+  if (file.histories.empty()) return;
+  json["time"] = file.time;
+  const auto row = static_cast<Eigen::Index>(w);
+  for (const WaveHistory& history : file.histories) {
+    const auto values = history.value.row(row);
+    json["histories"][history.label.name] = std::vector<double>(values.begin(), values.end());
+    json["history_errors"][history.label.name] = history.error.size() > 0 ? Json(history.error[row]) : Json();
+  }
+}
+
 }  // namespace
 
 std::string WaveResponses::wave_name(std::size_t wave) const {
@@ -217,6 +231,24 @@ std::vector<OutputRow> rows_of_respond() {
 
 std::string to_json(const WaveResponse& wave) {
   return wave_outputs().text(wave);
+}
+
+std::string soil_line(const AnsweredModel& of, const std::vector<WaveResponses>& files,
+                      const NumberedWarnings& warnings) {
+  static const OutputSchema<NamedWave> outputs = named_wave_outputs();
+  Json line{{"soil", of.soil}, {"error", of.model.error}, {"waves", Json::array()}, {"warnings", Json::array()}};
+  for (const WaveResponses& file : files)
+    for (std::size_t w = 0; w < file.waves.size(); ++w) {
+      Json wave = outputs.to_json({file.wave_name(w), &file.waves[w]});
+      add_histories(file, w, wave);
+      line["waves"].push_back(std::move(wave));
+    }
+  for (const NumberedWarning& warning : warnings) line["warnings"].push_back(warning_outputs().to_json(warning));
+  return json_text(line, one_line);
+}
+
+std::string soil_line(const std::optional<std::map<std::string, double>>& soil, const std::string& why) {
+  return json_text({{"soil", soil ? Json(*soil) : Json()}, {"why", why}}, one_line);
 }
 
 std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,

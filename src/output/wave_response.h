@@ -57,6 +57,13 @@ struct WaveResponse {
   std::string why_not_coupled{};         ///< why a result that was asked for could not be computed; else ""
 };
 
+/// A reading that was asked for by name, over the times of its file.
+struct WaveHistory {
+  ReadingLabel label;
+  WaveSamples value;      ///< a row for each wave
+  Eigen::VectorXd error;  ///< of each wave, estimated, over the largest magnitude; empty where nothing tells it
+};
+
 /// Results for all waves of one file, at the same times.
 struct WaveResponses {
   std::string name;                 ///< of the file, without folder and ending
@@ -64,6 +71,7 @@ struct WaveResponses {
   WaveSamples force;                ///< P, a row for each wave (N/m)
   WaveSamples shear_force;          ///< F_T of a caisson that sticks (N/m)
   std::vector<WaveResponse> waves;  ///< one for each row
+  std::vector<WaveHistory> histories{};
 
   /// "name", or "name[3]" where the file holds several waves.
   std::string wave_name(std::size_t wave) const;
@@ -93,7 +101,15 @@ std::string to_json(const WaveResponse& wave);
 std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
                     const NumberedWarnings& warnings = {});
 
-/// The keys of that JSON.
+/// What a server of soils says of one of them, on one line: docs/soils.md. Throws NumericsError where a number is not
+/// finite.
+std::string soil_line(const AnsweredModel& of, const std::vector<WaveResponses>& files,
+                      const NumberedWarnings& warnings);
+
+/// The same of a soil that could not be answered; one that could not be read is null.
+std::string soil_line(const std::optional<std::map<std::string, double>>& soil, const std::string& why);
+
+/// The keys of summary.json of `respond`.
 std::vector<OutputRow> rows_of_respond();
 
 }  // namespace upbead

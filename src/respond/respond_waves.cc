@@ -18,6 +18,7 @@
 #include "respond/respond_slip.h"
 #include "respond/wave_circles.h"
 #include "respond/wave_grid.h"
+#include "respond/wave_reading.h"
 #include "upbead/base/error.h"
 #include "upbead/sliding/base_pressure.h"
 
@@ -63,39 +64,6 @@ void set_peaks(const std::vector<double>& time, const Eigen::RowVectorXd& P, con
 
 constexpr double most_numbers = 1e8;  // values of P in one file; with F_T and the file, 5 GB of memory
 
-/// The model with only one of its readings.
-ModalModel one_reading(const ModalModel& model, const char* name) {
-  ModalModel one = model;
-  const int i = model.index(name);
-  one.reading = model.reading.row(i);
-  one.feedthrough = model.feedthrough.row(i);
-  one.impulse = model.impulse.row(i);
-  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
-  return one;
-}
-
-/// One reading at the times of a grid.
-class OneReading {
- public:
-  OneReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {
-    if (grid.equal) batch_ = std::make_unique<BatchResponse>(model_, 0, *grid.equal);
-  }
-  /// `ends_at_zero`: the waves' last sample is zero; a batch falls from the last sample to zero along a straight
-  /// line.
-  Eigen::RowVectorXd answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero) const {
-    Eigen::RowVectorXd y(loads.cols());
-    if (batch_ && ends_at_zero)
-      batch_->respond(loads, y);
-    else
-      y = respond(model_, with_jumps(loads, grid)).reading.row(0);
-    return y;
-  }
-
- private:
-  ModalModel model_;
-  std::unique_ptr<BatchResponse> batch_;
-};
-
 /// Checks of waves with one number of samples and one step.
 struct WaveChecks {
   BandCheck band;
@@ -137,7 +105,7 @@ class BaseAnswer {
   /// `prescribed`: an uplift in addition to the computed one; empty: none.
   EffectiveBase answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
                        const Eigen::RowVectorXd& prescribed) const {
-    const auto of = [&](const OneReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
+    const auto of = [&](const WaveReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
     const Eigen::RowVectorXd N = of(normal_), M = of(moment_);
     Eigen::RowVectorXd U = of(uplift_), M_U = of(uplift_moment_);
     if (prescribed.size() > 0) {
@@ -152,7 +120,7 @@ class BaseAnswer {
 
  private:
   ModelBase base_;
-  OneReading normal_, moment_, uplift_, uplift_moment_;
+  WaveReading normal_, moment_, uplift_, uplift_moment_;
 };
 
 /// Tolerable error of a response between its times, as a share of the model's tolerance.
@@ -176,7 +144,9 @@ struct Common {
       for (std::size_t i = 0; i < of_base.size(); ++i)
         resolved.push_back({&of_base[i], tolerance * (i < 2 ? 1. : model.base->width)});
     }
-    if (!options.sliding || !model.slip) return;
+    if (!options.sliding) return;
+    why_no_slip = options.why_no_slip;
+    if (!model.slip) return;
     try {
       slips.emplace(model, *options.sliding);
     } catch (const NumericsError& error) {
@@ -225,13 +195,15 @@ class FileWork {
         grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
         checks_(common.checks.of(check_time_)),
-        shear_answer_(shear_, grid_) {
+        shear_answer_(shear_, grid_),
+        histories_(model_.modes, options_.histories, grid_) {
     if (options_.sliding && options_.sliding->uplift == "computed")
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
     if (common.asks_for_base()) base_.emplace(model_, grid_);
     if (base_ && model_.circles) circles_.emplace(*model_.circles, grid_);
     if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
-    const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
+    const double n = static_cast<double>(grid_.time.size()) * file.n_waves() *
+                     static_cast<double>(1 + options_.histories.names.size());
     if (n > most_numbers)
       throw InputError(Place(),
                        "the answers to the waves of '" + file.name + "' are " + significant(n) +
@@ -241,6 +213,7 @@ class FileWork {
     result_.time = grid_.time;
     result_.force.resize(file.n_waves(), static_cast<Eigen::Index>(grid_.time.size()));
     result_.shear_force.resizeLike(result_.force);
+    result_.histories = histories_.empty(file.n_waves(), grid_);
     result_.waves.resize(static_cast<std::size_t>(file.n_waves()));
     for (WaveResponse& wave : result_.waves) wave.why_not_coupled = common.why_no_slip;
   }
@@ -258,6 +231,7 @@ class FileWork {
       throw NumericsError("the response to a wave of '" + file_.name + "' is not finite; nothing was written");
     result_.force.row(wave) = P;
     result_.shear_force.row(wave) = F;
+    histories_.answer(loads, grid_, ends_at_zero, wave, result_.histories);
     WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
     // Kinks of the loads make no kinks in F_T, as long as the loads do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
@@ -313,10 +287,11 @@ class FileWork {
   WaveGrid grid_;
   std::vector<double> check_time_;  ///< equally spaced, and over the whole wave even where the response ends before it
   std::shared_ptr<const WaveChecks> checks_;
-  OneReading shear_answer_;
+  WaveReading shear_answer_;
+  WaveHistories histories_;
   std::optional<BaseAnswer> base_;        ///< where S is asked for and the model has readings of the base
   std::optional<WaveCircles> circles_;    ///< where the model has circles and readings of the base
-  std::optional<OneReading> uplift_;      ///< where S is asked for, with the model's pore pressure
+  std::optional<WaveReading> uplift_;     ///< where S is asked for, with the model's pore pressure
   std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked for and the model has a slip part
   WaveResponses result_;
 };

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "output/wave_response.h"
 #include "respond/wave_files.h"
+#include "respond/wave_histories.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
@@ -13,10 +15,12 @@ namespace upbead {
 struct RespondOptions {
   std::optional<double> end;            ///< end of the response (s); none: end of the waves, or of the case if later
   std::optional<ModelSliding> sliding;  ///< for S; its uplift is not `history`
+  std::string why_no_slip{};            ///< why a model has no coupled slip that others have where S is asked for
+  AskedHistories histories{};           ///< readings whose histories are kept
 };
 
 /// Computes all waves on all cores; the numbers do not depend on how many. Throws InputError where the model has no
-/// caisson, or where the results would not fit into memory.
+/// caisson, or where the results would not fit into memory; std::out_of_range where it lacks a reading.
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options);
 

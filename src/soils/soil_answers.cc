@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "base/numbers.h"
 #include "base/text.h"
@@ -32,13 +34,13 @@ std::vector<std::string> joined_names(const std::vector<std::string>& loads) {
   return model.load_name;
 }
 
-ReduceOptions options_of(const SoilFamilyFile& family, const ReducedSystem& member, int measured) {
+ReduceOptions options_of(const SoilFamilyFile& family, const ReducedSystem& member, std::vector<int> measured) {
   ReduceOptions options;
   options.shift = member.shift;
   for (int i = member.n_prescribed; i < family.reduced.n_kept_bonded(); ++i)
     options.exact.push_back(unknown_of(member, i));
   options.training = family.training;
-  options.measured = {measured};
+  options.measured = std::move(measured);
   options.tolerance = family.tolerance;
   options.tolerance_of_others = infinity;
   options.first_vectors = first_of_member;
@@ -54,14 +56,18 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-/// A member with one of its readings.
-struct OneReadingOf {
-  OneReadingOf(ReducedSystem of, const System& like, int i) : member(std::move(of)) {
-    for (Eigen::MatrixXd* rows : {&member.position, &member.velocity, &member.acceleration, &member.feedthrough})
-      *rows = rows->row(i).eval();
-    member.reading_label = {member.reading_label[static_cast<std::size_t>(i)]};
+/// A member with some of its readings.
+struct SomeReadingsOf {
+  SomeReadingsOf(ReducedSystem of, const System& like, const std::vector<int>& rows) : member(std::move(of)) {
+    for (Eigen::MatrixXd* matrix : {&member.position, &member.velocity, &member.acceleration, &member.feedthrough})
+      *matrix = (*matrix)(rows, Eigen::all).eval();
     names.loads = like.loads;
-    names.readings = {like.readings[static_cast<std::size_t>(i)]};
+    std::vector<ReadingLabel> labels;
+    for (const int i : rows) {
+      labels.push_back(member.reading_label[static_cast<std::size_t>(i)]);
+      names.readings.push_back(like.readings[static_cast<std::size_t>(i)]);
+    }
+    member.reading_label = std::move(labels);
   }
   System system() const { return as_system(member, names); }
 
@@ -78,11 +84,36 @@ ModalModel row_of(const ModalModel& model, int i) {
   return one;
 }
 
+/// Indices of F_T and of other readings, each once.
+std::vector<int> indices_of(const std::vector<ReadingLabel>& labels, const std::vector<std::string>& names) {
+  std::vector<int> list{index_of(labels, reading::shear_force)};
+  for (const std::string& name : names) {
+    const int i = index_of(labels, name);
+    if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
+  }
+  return list;
+}
+
+/// 0, 1, ... n - 1.
+std::vector<int> counted(std::size_t n) {
+  std::vector<int> list(n);
+  std::iota(list.begin(), list.end(), 0);
+  return list;
+}
+
+/// How far nested models of a reduction lie apart in a reading; 0 where the first was exact.
+double own_error(const Reduction& reduction, int reading) {
+  return reduction.error.of_reading.size() > 0 ? reduction.error.of_reading[reading] : 0.;
+}
+
 void require_reduced(const Reduction& reduction, const std::string& soil) {
   if (reduction.converged) return;
+  const int worst = *std::max_element(reduction.measured.begin(), reduction.measured.end(),
+                                      [&](int a, int b) { return own_error(reduction, a) < own_error(reduction, b); });
   throw NumericsError("the model of the soil " + soil + " has not converged after " +
-                      std::to_string(reduction.n_vectors) + " vectors: F_T of nested models differs by " +
-                      significant(reduction.error.history) + " of its peak");
+                      std::to_string(reduction.n_vectors) +
+                      " vectors: " + reduction.model.reading_label[static_cast<std::size_t>(worst)].name +
+                      " of nested models differs by " + significant(own_error(reduction, worst)) + " of its peak");
 }
 
 /// Errors of a member by nested members, under the training histories.
@@ -124,11 +155,14 @@ Soil SoilAnswers::whole(const Soil& given) const {
   Soil whole;
   for (const SoilAxis& axis : file_.box) whole[axis.key] = *text_.number(axis.key);
   const std::string box = "the model is good for " + box_text();
+  std::set<std::string> set;
   for (const auto& [key, value] : given) {
     const auto axis = std::find_if(file_.box.begin(), file_.box.end(),
                                    [k = &key](const SoilAxis& one) { return is_same_key(one.key, *k); });
     if (axis == file_.box.end())
       mistakes.add(Place(), in_quotes(key) + " is no key that the model varies", box);
+    else if (!set.insert(axis->key).second)
+      mistakes.add(Place(), axis->key + " is given twice", "give it once");
     else
       whole[axis->key] = value;
   }
@@ -151,16 +185,23 @@ std::vector<double> SoilAnswers::factors(const Soil& whole) const {
   return list;
 }
 
-ReducedModelFile SoilAnswers::at(const Soil& whole) const {
+std::vector<ReadingLabel> SoilAnswers::readings() const {
+  const ReducedFamily& family = file_.family.reduced;
+  const std::vector<ReadingLabel>& all = family.fixed.reading_label;
+  return {all.begin(), all.end() - family.slip_readings};
+}
+
+SoilMember SoilAnswers::member(const Soil& whole, const std::vector<std::string>& readings) const {
   const SoilFamilyFile& family = file_.family;
   const std::vector<double> of_soil = factors(whole);
   const ReducedSystem member = family.reduced.bonded(of_soil);
-  const int shear = index_of(member.reading_label, reading::shear_force);
-  Reduction reduction = reduce(as_system(member, like_), options_of(family, member, shear));
+  const std::vector<int> measured = indices_of(member.reading_label, readings);
+  const int shear = measured.front();
+  Reduction reduction = reduce(as_system(member, like_), options_of(family, member, measured));
   require_reduced(reduction, soil_in_words(whole));
-  const OneReadingOf fewer(family.reduced.bonded(of_soil, nested_share), like_, shear);
-  const Reduction middle = reduce(fewer.system(), options_of(family, fewer.member, 0));
-  NestedModels nested{middle.model, row_of(reduction.model, shear), reduction.n_solves + middle.n_solves, 2,
+  const SomeReadingsOf fewer(family.reduced.bonded(of_soil, nested_share), like_, measured);
+  Reduction middle = reduce(fewer.system(), options_of(family, fewer.member, counted(measured.size())));
+  NestedModels nested{row_of(middle.model, 0), row_of(reduction.model, shear), reduction.n_solves + middle.n_solves, 2,
                       family.reduced.safety};
   const MemberError error(nested, family.training);
   const double agreed =
@@ -168,17 +209,20 @@ ReducedModelFile SoilAnswers::at(const Soil& whole) const {
                        1. / family.training.time.back(), 100. * member.shift);
   ReducedModelFile model = file_.frame;
   model.modes = std::move(reduction.model);
-  model.highest_frequency = std::min(reduction.omega, agreed) / two_pi;
-  model.error = reduction.error.history + error.history;
+  // a space that is exhausted at once is exact, and has no smaller one to be compared with
+  const double own = reduction.history.empty() ? agreed : reduction.omega;
+  model.highest_frequency = std::min(own, agreed) / two_pi;
+  model.error = own_error(reduction, shear) + error.history;
   model.error_peak = reduction.error.peak + error.peak;
   model.solves = nested.solves;
   model.factorisations = nested.factorisations;
-  for (ModalModel* modes : {&model.modes, &nested.middle, &nested.reference}) join_pore_pressures(*modes);
+  for (ModalModel* modes : {&model.modes, &nested.middle, &nested.reference, &middle.model})
+    join_pore_pressures(*modes);
   model.nested = std::move(nested);
   model.slip.reset();
   model.circles.reset();
   model.error_march.reset();
-  return model;
+  return {std::move(model), std::move(middle.model)};
 }
 
 std::string SoilAnswers::box_text() const {
@@ -206,7 +250,7 @@ std::string soil_in_words(const Soil& soil) {
   return join(list, ", ");
 }
 
-Soil soil_of_options(const std::vector<std::string>& options) {
+Soil soil_of_options(const std::vector<std::string>& options, const std::string& before) {
   Diagnostics mistakes;
   Soil soil;
   for (const std::string& option : options) {
@@ -215,10 +259,10 @@ Soil soil_of_options(const std::vector<std::string>& options) {
     const std::optional<double> value =
         equals == std::string::npos ? std::nullopt : number_in(option.substr(equals + 1));
     if (!value || key.empty())
-      mistakes.add({"--soil " + excerpt(option, 300)}, "no KEY=NUMBER",
-                   "write such as --soil regions.seabed.shear_modulus=25e6");
+      mistakes.add({before + excerpt(option, 300)}, "no KEY=NUMBER",
+                   "write such as " + before + "regions.seabed.shear_modulus=25e6");
     else if (!soil.emplace(key, *value).second)
-      mistakes.add({"--soil " + excerpt(option, 300)}, "the key is given twice", "give it once");
+      mistakes.add({before + excerpt(option, 300)}, "the key is given twice", "give it once");
   }
   mistakes.throw_if_any();
   return soil;

@@ -10,6 +10,14 @@
 
 namespace upbead {
 
+/// The reduced model of a soil, and what tells the errors of its readings.
+struct SoilMember {
+  ReducedModelFile model;
+  /// The same soil in half of the directions, with F_T and the readings that were asked for: the difference of a
+  /// history, times nested_safety, is an estimate of its error, which was tested for F_T alone (docs/soils.md).
+  ModalModel fewer;
+};
+
 /// Makes the reduced model of any soil of a box from the file of a family.
 class SoilAnswers {
  public:
@@ -25,7 +33,12 @@ class SoilAnswers {
   /// A model as `upbead reduce` makes it, for a soil that has all keys of the box. Its `nested` are the member itself
   /// as the reference and the member in fewer coordinates as the middle model, so that the error of each wave is
   /// estimated as in docs/soils.md. Throws NumericsError where the member does not reduce.
-  ReducedModelFile at(const Soil& whole) const;
+  ReducedModelFile at(const Soil& whole) const { return member(whole, {}).model; }
+  /// The same, where other readings meet the tolerance of F_T, too, in the member's own reduction. Throws
+  /// std::out_of_range where the model lacks one.
+  SoilMember member(const Soil& whole, const std::vector<std::string>& readings) const;
+  /// Labels of the readings of any soil.
+  std::vector<ReadingLabel> readings() const;
   /// "regions.seabed.shear_modulus from 1e6 to 1e8, ...".
   std::string box_text() const;
 
@@ -42,7 +55,7 @@ Soil drawn_soil(const std::vector<SoilAxis>& box, int draw);
 /// "regions.seabed.shear_modulus = 25000000, ...".
 std::string soil_in_words(const Soil& soil);
 
-/// Soils as options tell them, KEY=NUMBER. Throws InputError.
-Soil soil_of_options(const std::vector<std::string>& options);
+/// Soils as options tell them, KEY=NUMBER; `before`: what stands before each where it is written. Throws InputError.
+Soil soil_of_options(const std::vector<std::string>& options, const std::string& before = "--soil ");
 
 }  // namespace upbead

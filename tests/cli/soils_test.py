@@ -1,146 +1,128 @@
 #!/usr/bin/python3
-"""One model for a box of soils, as a user makes it.
+"""A model of soils as a user asks it: one soil by options, many by standard input.
 
-usage: soils_test.py PROGRAM CASES_FOLDER
+usage: soils_test.py PROGRAM CASES_FOLDER; UPBEAD_SAMPLE_SOILS in the environment names the program that writes a model
 """
 
 import json
+import os
+import signal
+import subprocess
 import sys
-import unittest
+import time
 
 import h5py
 import numpy as np
+import pathlib
 
-from program import CASES, ProgramTest, upbead
+from program import CASES, PROGRAM, ProgramTest, main, upbead
 
-CASE = CASES / "fig2b-prototype.toml"
-COARSE = ["--set", "mesh.parameters.cells=0.5"]
-BOX = """\
-[vary."regions.seabed.shear_modulus"]
-distribution = "log_uniform"
-low = 20e6
-high = 300e6
-[vary."regions.mound.shear_modulus"]
-distribution = "log_uniform"
-low = 20e6
-high = 600e6
-[vary."regions.seabed.hydraulic_conductivity"]
-distribution = "log_uniform"
-low = 2e-5
-high = 1e-3
-"""
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+from hand_made_model import write_oscillator  # noqa: E402
 
-
-CALIBRATION = """\
-[section]
-water_depth = 15.0
-foundation_depth = 9.0
-berm_depth = 9.0
-crest = 7.0
-width = 18.0
-berm_width = 7.0
-bed_slope = 0.01
-weight = 5.933e6
-submerged_weight = 4.296e6
-friction = 0.6
-[impact]
-peak_gain = 0.5
-[calibration]
-relative_height = [0.5, 0.7]
-period = [10.0, 13.6]
-relative_berm_depth = [0.4, 0.6]
-relative_berm_width = [0.06]
-ratios = [1.2]
-[calibration.models.soft]
-model = "model/soils.h5"
-load = "impulse"
-soil = { "regions.seabed.shear_modulus" = 25e6 }
-[calibration.models.stiff]
-model = "model/soils.h5"
-load = "impulse"
-soil = { "regions.seabed.shear_modulus" = 250e6 }
-[calibration.models.many]
-model = "model/soils.h5"
-load = "impulse"
-soils = 3
-"""
+G, k = "regions.sand.shear_modulus", "regions.sand.hydraulic_conductivity"
+SLIDES = ["--friction", 0.6, "--buoyant-weight", 1e6]
 
 
 class Soils(ProgramTest):
-    def reduce(self, box, *arguments, case=CASE):
-        (self.folder / "box.toml").write_text(box)
-        return upbead("reduce", case, *COARSE, "--soils", "box.toml", *arguments, cwd=self.folder)
+    def setUp(self):
+        super().setUp()
+        subprocess.run([os.environ["UPBEAD_SAMPLE_SOILS"], self.folder / "soils.h5"], check=True)
+        (self.folder / "roof.csv").write_text("time,impact\n0,0\n0.05,1.6e6\n0.1,4e5\n1.5,0\n")
 
-    def refusal(self, box, *arguments):
-        done = self.reduce(box, *arguments, "--out", "model")
-        self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertEqual(self.left_behind(), ["box.toml"])
-        return done.stderr
+    def respond(self, *arguments, **options):
+        return upbead("respond", "soils.h5", "roof.csv", *arguments, cwd=self.folder, **options)
 
-    def test_reduce_writes_one_model_for_a_box(self):
-        done = self.reduce(BOX, "--out", "model", "--json")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads(done.stdout)
-        self.assertEqual([axis["key"] for axis in told["box"]][:1], ["regions.seabed.shear_modulus"])
-        self.assertEqual(told["unseen"]["soils"], 16)
-        self.assertLess(told["unseen"]["largest_estimate"], 2 * told["tolerance"])
-        with h5py.File(self.folder / "model/soils.h5") as file:
-            self.assertEqual(file.attrs["kind"].decode(), "upbead soil model")
-            points, low, high = file["box/points"][:], file["box/low"][:], file["box/high"][:]
-            self.assertEqual(points.shape, (told["points"], 3))
-            self.assertTrue(np.all((points >= low) & (points <= high)))
+    def lines(self, asked, *arguments):
+        done = self.respond("--soil", "-", *arguments, input=asked)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return [json.loads(line) for line in done.stdout.splitlines()]
 
-    def test_a_calibration_is_of_one_soil_or_of_many(self):
-        self.assertEqual(self.reduce(BOX, "--out", "model").returncode, 0)
-        (self.folder / "k.toml").write_text(CALIBRATION)
-        done = upbead("calibrate", "k.toml", "--json", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        models = json.loads(done.stdout)["models"]
-        self.assertEqual([len(models[name]["soils"]) for name in ("many", "soft", "stiff")], [3, 0, 0])
-        key = "regions.seabed.shear_modulus"
-        for soil in models["many"]["soils"]:
-            self.assertTrue(20e6 <= soil["soil"][key] <= 300e6, soil)
-            self.assertLess(soil["error"], 1e-2)
-        points = {name: models[name]["fits"][0]["points"] for name in models}
-        self.assertGreater(points["many"], 2 * points["stiff"])
-        self.assertNotEqual(models["soft"]["fits"], models["stiff"]["fits"])
-        (self.folder / "k.toml").write_text(CALIBRATION.replace("= 25e6 }", "= 5e6, nothing = 1 }"))
-        done = upbead("calibrate", "k.toml", cwd=self.folder)
-        self.assertEqual(done.returncode, 1, done.stdout)
-        for words in ("lies outside the box of the model", "'nothing' is no key that the model varies"):
-            self.assertIn(words, done.stderr)
+    def test_answers_the_soil_that_is_given_and_names_it(self):
+        done = self.respond("--soil", f"{G}=5e7", *SLIDES)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for part in ("F_T within ", f"soil        {k} = 0.2\n            {G} = 5e7\n", "error of F_T", "S\nroof "):
+            self.assertIn(part, done.stdout)
+        result = self.folder / "results/soils-respond"
+        summary = json.loads((result / "summary.json").read_text())
+        self.assertEqual(summary["model"]["soil"], {G: 5e7, k: 0.2})
+        with h5py.File(result / "responses.h5") as file:
+            self.assertEqual(json.loads(file.attrs["soil"]), {G: 5e7, k: 0.2})
+            peak = file["roof/peak_shear"][0]
+        wave = summary["waves"][0]
+        self.assertEqual(wave["peak_shear"], peak)
+        self.assertGreater(wave["sliding"], 0)
+        self.assertIsNotNone(wave["error_estimate"])
+        own = json.loads(self.respond("--json").stdout)
+        self.assertEqual(own["model"]["soil"], {G: 3e7, k: 0.2}, "the case's own soil")
+        self.assertGreater(abs(own["waves"][0]["peak_shear"] / peak - 1), 0.01)
 
-    def test_a_box_tells_all_its_mistakes(self):
-        told = self.refusal(BOX + """\
-[vary."loads.impulse.factor"]
-distribution = "uniform"
-low = 1
-high = 2
-[vary."regions.mound.flow"]
-values = ["darcy", "inertial"]
-[set]
-"time.end" = 1
-""")
-        self.assertIn("'loads.impulse.factor' is no number of a soil", told)
-        self.assertIn("'regions.mound.flow' has values that are no numbers", told)
-        self.assertIn("a box of soils has no [set]", told)
+    def test_refuses_soils_and_options_that_do_not_fit(self):
+        write_oscillator(self.folder / "reduced.h5")
+        (self.folder / "wave.csv").write_text("time,P\n0,0\n0.05,1.6e6\n1.5,0\n")
+        before = self.left_behind()
+        for arguments, messages in (
+                (["soils.h5", "roof.csv", "--soil", f"{G}=2e9"], ["--soil: ", "outside the box", f"{G} from "]),
+                (["soils.h5", "roof.csv", "--soil", "regions.sand.porosity=0.3"],
+                 ["--soil: 'regions.sand.porosity' is no key that the model varies", "the model is good for"]),
+                (["soils.h5", "roof.csv", "--soil", G], [f"--soil {G}: no KEY=NUMBER", "write such as"]),
+                (["soils.h5", "roof.csv", "--soil", f"{G}=3e7", "--soil", f"{G}=4e7"], ["given twice"]),
+                (["reduced.h5", "wave.csv", "--soil", f"{G}=3e7"],
+                 ["--soil: 'reduced.h5' is the model of one soil; leave out --soil"]),
+                (["reduced.h5", "wave.csv", "--soil", "-"], ["--soil: 'reduced.h5' is the model of one soil"]),
+                (["soils.h5", "roof.csv", "--soil", "-", "--soil", f"{G}=3e7"], ["--soil -: soils come from"]),
+                (["soils.h5", "roof.csv", "--soil", "-", "--out", "x"], ["--out: answers to soils"]),
+                (["soils.h5", "roof.csv", "--histories", "force"], ["--histories: ", "give --soil -"]),
+                (["soils.h5", "roof.csv", "--soil", "-", "--histories", "shear"],
+                 ["--histories: the model has no reading 'shear'; it has shear_force, probes/A/pressure, force"]),
+                ([CASES / "fig2b-model.toml", "--soil", f"{G}=3e7"], ["--soil: a case is the model of its own soil"])):
+            done = upbead("respond", *arguments, cwd=self.folder, input="")
+            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
+            for message in messages:
+                self.assertIn(message, done.stderr)
+            self.assertEqual(self.left_behind(), before)
 
-    def test_the_case_lies_in_the_box_and_has_its_keys(self):
-        self.assertIn("lies outside the box of soils", self.refusal(BOX.replace("high = 300e6", "high = 25e6")))
-        self.assertIn("the case has no number at 'regions.clay.shear_modulus'",
-                      self.refusal(BOX.replace("regions.mound.shear", "regions.clay.shear")))
-        self.assertIn("does not go with --soils", self.refusal(BOX, "--check"))
+    def test_serves_soils_line_by_line(self):
+        one = json.loads(self.respond("--soil", f"{G}=5e7", *SLIDES, "--json", "--out", "one").stdout)
+        before = self.left_behind()
+        told = self.lines(f'{{"{G}": 5e7}}\n{G}=2e9\nnonsense\n{G}=5e7 {k}=0.5\n\n', *SLIDES)
+        self.assertEqual(self.left_behind(), before, "nothing is written")
+        self.assertEqual([sorted(line) for line in told], [["error", "soil", "warnings", "waves"], ["soil", "why"], ["soil", "why"],
+                                                           *2 * [["error", "soil", "warnings", "waves"]]])
+        self.assertEqual(told[0]["waves"], one["waves"])
+        self.assertEqual((told[0]["soil"], told[0]["error"]), (one["model"]["soil"], one["model"]["error"]))
+        self.assertEqual((told[1]["soil"], told[2]["soil"]), ({G: 2e9}, None))
+        self.assertEqual([line["soil"] for line in told[3:]], [{G: 5e7, k: 0.5}, {G: 3e7, k: 0.2}])
 
-    def test_a_box_with_two_kinds_of_soil_is_refused(self):
-        told = self.refusal(BOX.replace("low = 2e-5\nhigh = 1e-3", "low = 1e-7\nhigh = 1.0"))
-        self.assertIn("the box holds soils of more than one kind: with regions.seabed.", told)
-        self.assertIn("decide otherwise about its flow", told)
+    def test_serves_histories_by_name(self):
+        self.respond("--soil", f"{G}=5e7", "--out", "one")
+        [told] = self.lines(f"{G}=5e7\n", "--histories", "shear_force,probes/A/pressure")
+        wave = told["waves"][0]
+        with h5py.File(self.folder / "one/responses.h5") as file:
+            np.testing.assert_array_equal(wave["time"], file["roof/time"])
+            np.testing.assert_allclose(wave["histories"]["shear_force"], file["roof/shear_force"][0], rtol=0,
+                                       atol=1e-9 * wave["peak_shear"])
+        self.assertEqual(len(wave["histories"]["probes/A/pressure"]), len(wave["time"]))
+        self.assertEqual(list(wave["history_errors"]), ["shear_force", "probes/A/pressure"])
 
-    def test_a_scene_that_is_no_sum_is_refused_at_its_key(self):
-        done = self.reduce(BOX, "--set", "time.scheme=sdirk4", "--out", "model")
-        self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertIn("time.scheme", done.stderr)
+    def test_answers_at_once_and_obeys_an_interrupt(self):
+        server = subprocess.Popen([PROGRAM, "respond", "soils.h5", "roof.csv", "--soil", "-"], cwd=self.folder, text=True,
+                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        for value in (2e7, 4e7):
+            server.stdin.write(f"{G}={value}\n")
+            server.stdin.flush()
+            self.assertEqual(json.loads(server.stdout.readline())["soil"][G], value, "before the input ends")
+        server.send_signal(signal.SIGINT)
+        begun = time.time()
+        server.communicate(timeout=60)
+        self.assertEqual(server.returncode, -signal.SIGINT)
+        self.assertLess(time.time() - begun, 10)
+
+    def test_help_teaches_soils(self):
+        told = upbead("respond", "--help").stdout
+        for part in ("--soil KEY=VALUE", "--histories NAMES", "standard input", '{"KEY": VALUE, ...}', "soils.h5"):
+            self.assertIn(part, told)
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()

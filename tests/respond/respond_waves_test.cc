@@ -191,6 +191,14 @@ TEST(RespondWaves, UpliftMayBeTheModels) {
   EXPECT_GT(without, 0.);
 }
 
+TEST(RespondWaves, TellsWhyAModelHasNoCoupledSlipWhereSIsAskedFor) {
+  RespondOptions options;
+  options.why_no_slip = "it sticks";
+  EXPECT_EQ(answer(triangle(0.0005), options).waves[0].why_not_coupled, "") << "nobody asked for S";
+  options.sliding = ModelSliding{0.6, 1.1e6};
+  EXPECT_EQ(answer(triangle(0.0005), options).waves[0].why_not_coupled, "it sticks");
+}
+
 TEST(RespondWaves, ManyWavesAreAnsweredEachByItself) {
   const int n = 50;
   WaveFile many = triangle(0.0005);

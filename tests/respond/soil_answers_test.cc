@@ -58,6 +58,7 @@ TEST(SoilAnswers, AMemberIsTheModelOfItsOwnSoil) {
     const Eigen::Vector3cd x = T.partialPivLu().solve(member.load.col(0).cast<std::complex<double>>());
     const std::complex<double> exact = 1. - 6e5 * s * s * x[0];
     EXPECT_LT(std::abs(found->modes.transfer(0, 0, s) - exact), 1e-6 * std::abs(exact)) << G;
+    EXPECT_GT(found->highest_frequency, 50.) << "the space of three coordinates is exhausted, so that it is exact";
     ASSERT_TRUE(found->nested);
     EXPECT_LT(std::abs(found->nested->reference.transfer(0, 0, s) - exact), 1e-6 * std::abs(exact)) << G;
   }

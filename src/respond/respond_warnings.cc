@@ -1,0 +1,118 @@
+#include "respond/respond_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "respond/answered_wave.h"
+
+namespace upbead {
+
+namespace {
+
+/// A warning where the coupled S of some waves could not be computed.
+NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto untold = [](const AnsweredWave& row) { return !row.wave->why_not_coupled.empty(); };
+  const auto first = std::find_if(waves.begin(), waves.end(), untold);
+  if (first == waves.end()) return {};
+  const auto n = std::count_if(waves.begin(), waves.end(), untold);
+  return {{"no_coupled_slip", static_cast<double>(n), 0., "1",
+           "the distance that the caisson slips as a whole could not be computed for " + std::to_string(n) + " of " +
+               std::to_string(waves.size()) + " waves, such as " + first->name + ": " + first->wave->why_not_coupled,
+           "take S of the bonded caisson, or solve such a wave by 'upbead run' with contact node by node (kind = "
+           "\"friction\")"}};
+}
+
+/// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency.
+NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto n = std::count_if(waves.begin(), waves.end(),
+                               [&model](const AnsweredWave& row) { return row.wave->beyond_band > model.tolerance; });
+  if (n == 0) return {};
+  const AnsweredWave& worst = *std::max_element(
+      waves.begin(), waves.end(),
+      [](const AnsweredWave& a, const AnsweredWave& b) { return a.wave->beyond_band < b.wave->beyond_band; });
+  return {{"beyond_band", worst.wave->beyond_band, model.tolerance, "1",
+           std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves reach beyond the frequencies that the model has been checked for, " +
+               significant(model.highest_frequency) + " Hz: worst " + worst.name + ", where " +
+               significant(100. * worst.wave->beyond_band) + " % of F_T lies beyond (tolerance " +
+               significant(100. * model.tolerance) + " %)",
+           "reduce again with a shorter pulse or a smaller tolerance, or march the wave with 'upbead run'"}};
+}
+
+/// Warnings of waves whose error estimate exceeds the model's tolerance, and of models that cannot estimate errors:
+/// docs/warnings.md.
+NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  if (!model.nested)
+    return {{"no_error_estimate", 0., model.tolerance, "1",
+             "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null",
+             "make the model again with 'upbead reduce'"}};
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto estimate = [](const AnsweredWave& row) { return row.wave->error_estimate.value_or(0.); };
+  const auto n = std::count_if(waves.begin(), waves.end(),
+                               [&](const AnsweredWave& row) { return estimate(row) > model.tolerance; });
+  if (n == 0) return {};
+  const AnsweredWave& worst =
+      *std::max_element(waves.begin(), waves.end(),
+                        [&](const AnsweredWave& a, const AnsweredWave& b) { return estimate(a) < estimate(b); });
+  return {{"reduced_model_error", estimate(worst), model.tolerance, "1",
+           "F_T of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves may be wrong by more than the model's tolerance: worst " + worst.name + ", by up to " +
+               significant(100. * estimate(worst), 2) + " % of its largest F_T (tolerance " +
+               significant(100. * model.tolerance) + " %)",
+           "reduce again with an 'end' as long as the wave, a load as short as its pulse or a smaller [accuracy] "
+           "tolerance, or march the wave with 'upbead run'"}};
+}
+
+/// Warning slip_circle: circles have less than what they need to stand.
+NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto factor = [](const AnsweredWave& row) { return row.wave->circle ? row.wave->circle->factor : HUGE_VAL; };
+  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return factor(row) < 1.; });
+  if (n == 0) return {};
+  const AnsweredWave& worst = *std::min_element(
+      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return factor(a) < factor(b); });
+  return {{"slip_circle", factor(worst), 1., "1",
+           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves the ground under the caisson would slip on a circle, worst in " + worst.name +
+               ": F = " + circle_text(worst.wave->circle) + " by Bishop's simplified method",
+           "widen the caisson or its berm, or give the mound more height; a factor below 1 of a moment is a permanent "
+           "displacement and not yet a collapse"}};
+}
+
+}  // namespace
+
+NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files) {
+  NumberedWarnings list;
+  for (const WaveFile& file : files) {
+    append(list, file.notes.warnings);
+    int zero = 0;
+    for (int w = 0; w < file.n_waves(); ++w)
+      if (file.wave(w).isZero(0.)) ++zero;
+    if (zero > 0)
+      list.push_back({"load_zero", static_cast<double>(zero), 0., "1",
+                      std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
+                          in_quotes(file.name) + " are zero throughout",
+                      "look whether a wrong column is read as the load"});
+  }
+  return list;
+}
+
+std::string circle_text(const std::optional<CircleInWave>& circle) {
+  if (!circle) return "none";
+  const std::string when = " at " + significant(circle->time) + " s";
+  if (circle->slips.empty()) return "0: the resultant leaves the base" + when;
+  return significant(circle->factor, 4) + " " + circle->slips + when;
+}
+
+NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  NumberedWarnings list;
+  for (const NumberedWarnings& more :
+       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
+    append(list, more);
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,23 @@
+// What may be wrong with the answers of a reduced model though nothing failed: docs/warnings.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/wave_response.h"
+#include "respond/wave_files.h"
+
+namespace upbead {
+
+/// Warnings of how waves were read, and of waves that are zero throughout.
+NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files);
+
+/// Waves beyond the model's frequencies, of a large error or without one, slips that could not be computed, slip
+/// circles.
+NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files);
+
+/// "1.23 landward at 0.5 s".
+std::string circle_text(const std::optional<CircleInWave>& circle);
+
+}  // namespace upbead

@@ -1,0 +1,30 @@
+#include "respond/wave_reading.h"
+
+#include "upbead/dynamics/modal_response.h"
+
+namespace upbead {
+
+ModalModel one_reading(const ModalModel& model, const std::string& name) {
+  ModalModel one = model;
+  const int i = model.index(name);
+  one.reading = model.reading.row(i);
+  one.feedthrough = model.feedthrough.row(i);
+  one.impulse = model.impulse.row(i);
+  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
+  return one;
+}
+
+WaveReading::WaveReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {
+  if (grid.equal) batch_ = std::make_unique<BatchResponse>(model_, 0, *grid.equal);
+}
+
+Eigen::RowVectorXd WaveReading::answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero) const {
+  Eigen::RowVectorXd y(loads.cols());
+  if (batch_ && ends_at_zero)
+    batch_->respond(loads, y);
+  else
+    y = respond(model_, with_jumps(loads, grid)).reading.row(0);
+  return y;
+}
+
+}  // namespace upbead
