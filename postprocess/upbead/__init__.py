@@ -12,7 +12,7 @@ import importlib
 from . import msh
 from .commands import calibrate, expected, reduce, reliability, run, study, waves
 from .cfd import read_cfd
-from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
+from .errors import CaseError, ModelError, NumericsError, SoilError, UpbeadError, UserError
 from .fit import fit
 from .fit_result import Fit
 from .history import History
@@ -22,9 +22,10 @@ from .opening import open_result as open
 from .reduced_model import ReducedModel
 from .results import Result
 from .slip_result import SlipResult
+from .soil_model import SoilModel
 from .study_table import StudyTable
 
-__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
+__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "SoilError", "SoilModel", "StudyTable",
            "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "run",
            "study", "waves"]
 

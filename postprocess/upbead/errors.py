@@ -17,5 +17,17 @@ class ModelError(UserError):
     """A file is no reduced model, or the question does not fit it."""
 
 
+class SoilError(UserError):
+    """A model of soils does not answer a soil: it lies outside the box, or its model did not converge. The text says
+    why; `soil` is what was asked."""
+
+    def __init__(self, text, soil=None):
+        super().__init__(text, soil)
+        self.soil = soil
+
+    def __str__(self):
+        return self.args[0]
+
+
 class NumericsError(UpbeadError):
     """The program could not solve the case (exit code 2). The text says why."""

@@ -1,0 +1,53 @@
+"""What a model of soils answers, as plain numbers and arrays."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass
+class WaveAnswer:
+    """numbers: as a wave has them in summary.json, each an attribute, too: `ratio`, `peak_shear` (N/m), `sliding` (S, m),
+    `error_estimate`; None where there is none. time: s; histories: {name: array} in SI units; history_errors: of each,
+    estimated, over its largest value."""
+
+    name: str
+    numbers: dict
+    time: np.ndarray | None = field(default=None, repr=False)
+    histories: dict = field(default_factory=dict, repr=False)
+    history_errors: dict = field(default_factory=dict)
+
+    def __getattr__(self, name):
+        try:
+            return self.__dict__["numbers"][name]
+        except KeyError:
+            raise AttributeError(f"a wave's answer has no '{name}'") from None
+
+
+@dataclass
+class SoilAnswer:
+    """soil: all keys of the box. error: of F_T's history under the loads of the case, over its peak. waves: a WaveAnswer
+    for each wave; where there is one, its attributes are those of this, too. warnings: as in summary.json."""
+
+    soil: dict
+    error: float
+    waves: list
+    warnings: list
+
+    def __getattr__(self, name):
+        waves = self.__dict__.get("waves", [])
+        if len(waves) != 1:
+            raise AttributeError(f"'{name}' is of one wave, and there are {len(waves)}: take that of waves[i]")
+        return getattr(waves[0], name)
+
+
+def soil_answer(line):
+    """The SoilAnswer of a line of the server, a dict."""
+    return SoilAnswer(line["soil"], line["error"], [wave_answer(dict(wave)) for wave in line["waves"]], line["warnings"])
+
+
+def wave_answer(numbers):
+    time, histories = numbers.pop("time", None), numbers.pop("histories", {})
+    return WaveAnswer(numbers.pop("name"), history_errors=numbers.pop("history_errors", {}),
+                      time=None if time is None else np.array(time), numbers=numbers,
+                      histories={name: np.array(values) for name, values in histories.items()})

@@ -1,0 +1,74 @@
+"""How an answer changes with each key of a soil, by differences of a model of soils."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .errors import UserError
+
+FIRST, LEAST = 0.1, 0.01  # steps of ln(key), or of a key over the width of its range
+# the answer at x + offset*h, by weight: of second order, within the box and at either end of it
+CENTRAL = ((-1.0, -0.5), (1.0, 0.5))
+FORWARD = ((0.0, -1.5), (1.0, 2.0), (2.0, -0.5))
+BACKWARD = tuple((-offset, -weight) for offset, weight in FORWARD)
+
+
+@dataclass
+class Gradient:
+    """By key: value, d quantity/d ln(key) for keys whose soils are spread over their logarithm, else d quantity/d key.
+    error: the difference to the slope over twice the step; of an array, the largest. step: of ln(key), or of the key.
+    logarithmic: by key."""
+
+    value: dict
+    error: dict
+    step: dict = field(repr=False)
+    logarithmic: dict = field(repr=False)
+
+
+def gradient(box, soil, answer):
+    """The Gradient at a soil that has all keys of the box, {key: (low, high, logarithmic)}; answer(soil): a number, or
+    an array."""
+    value, error, step = {}, {}, {}
+    for key, axis in box.items():
+        value[key], error[key], step[key] = slope(axis, soil[key], lambda at, key=key: answer({**soil, key: at}))
+    return Gradient(value, error, step, {key: bool(axis[2]) for key, axis in box.items()})
+
+
+def slope(axis, at, answer):
+    """(slope, error, step) along one key: the step is halved as long as the slope changes by less than before."""
+    low, high, logarithmic = axis
+    if logarithmic:
+        low, high, at = np.log(low), np.log(high), np.log(at)
+    scale = 1.0 if logarithmic else high - low
+    known = {}
+
+    def of(x):
+        x = float(np.clip(x, low, high))
+        if x not in known:
+            inside = np.clip(np.exp(x), *axis[:2]) if logarithmic else x
+            known[x] = np.asarray(answer(float(inside)), dtype=float)
+        return known[x]
+
+    h = min(FIRST * scale, (high - low) / 4)
+    before, best = difference(of, at, h, low, high), None
+    while h / 2 >= LEAST * scale or best is None:
+        h /= 2
+        now = difference(of, at, h, low, high)
+        error = float(np.max(np.abs(now - before)))
+        if best is not None and error >= best[1]:
+            break
+        best, before = (now if now.ndim else float(now), error, float(h)), now
+    return best
+
+
+def difference(of, x, h, low, high):
+    scheme = FORWARD if x - h < low else BACKWARD if x + h > high else CENTRAL
+    return sum(weight * of(x + offset * h) for offset, weight in scheme) / h
+
+
+def number(answer, quantity):
+    """A quantity of an answer, by name or by a function of it."""
+    value = quantity(answer) if callable(quantity) else getattr(answer, quantity)
+    if value is None or isinstance(value, (str, dict)):
+        raise UserError(f"'{quantity}' is no number in the answer to {answer.soil}, but {value!r}")
+    return value
