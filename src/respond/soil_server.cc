@@ -78,7 +78,7 @@ std::string SoilServer::answer(const std::string& line) const {
 }
 
 std::string SoilServer::answer_soil(const Soil& whole) const {
-  const SoilMember member = model_.member(whole, options_.histories.names);
+  const AnsweredSoil member = model_.member(whole, options_.histories.names);
   RespondOptions options = options_;
   options.histories.fewer = std::make_shared<const ModalModel>(member.fewer);
   options.histories.safety = member.model.nested->safety;

@@ -191,7 +191,7 @@ std::vector<ReadingLabel> SoilAnswers::readings() const {
   return {all.begin(), all.end() - family.slip_readings};
 }
 
-SoilMember SoilAnswers::member(const Soil& whole, const std::vector<std::string>& readings) const {
+AnsweredSoil SoilAnswers::member(const Soil& whole, const std::vector<std::string>& readings) const {
   const SoilFamilyFile& family = file_.family;
   const std::vector<double> of_soil = factors(whole);
   const ReducedSystem member = family.reduced.bonded(of_soil);

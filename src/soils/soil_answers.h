@@ -11,7 +11,7 @@
 namespace upbead {
 
 /// The reduced model of a soil, and what tells the errors of its readings.
-struct SoilMember {
+struct AnsweredSoil {
   ReducedModelFile model;
   /// The same soil in half of the directions, with F_T and the readings that were asked for: the difference of a
   /// history, times nested_safety, is an estimate of its error, which was tested for F_T alone (docs/soils.md).
@@ -36,7 +36,7 @@ class SoilAnswers {
   ReducedModelFile at(const Soil& whole) const { return member(whole, {}).model; }
   /// The same, where other readings meet the tolerance of F_T, too, in the member's own reduction. Throws
   /// std::out_of_range where the model lacks one.
-  SoilMember member(const Soil& whole, const std::vector<std::string>& readings) const;
+  AnsweredSoil member(const Soil& whole, const std::vector<std::string>& readings) const;
   /// Labels of the readings of any soil.
   std::vector<ReadingLabel> readings() const;
   /// "regions.seabed.shear_modulus from 1e6 to 1e8, ...".

@@ -88,7 +88,8 @@ int main(int argc, char** argv) {
   int n_phi = 0;
   for (const bool p : made.family.reduced.fixed.is_phi) n_phi += p;
   std::cout << "family of " << made.points.size() << " points, R = " << made.family.reduced.fixed.size() - n_phi
-            << " + " << n_phi << ", safety " << made.family.reduced.safety << ", " << watch.seconds() << " s; estimates";
+            << " + " << n_phi << ", safety " << made.family.reduced.safety << ", " << watch.seconds()
+            << " s; estimates";
   for (const double e : made.estimates) std::cout << " " << e;
   std::cout << "\n";
   std::vector<double> errors, ratios, online;
