@@ -6,8 +6,8 @@ usage: fit.py CASE --record lab.csv --column F_T --parameter regions.seabed.shea
        fit.py CASE --frequency 1.20:0.03 --damping 0.031:0.006 --parameter regions.seabed.shear_modulus
 
 A parameter begins with the case's value, with KEY=GUESS, or anywhere in KEY=LOW:HIGH; all SI units. Writes fit.json,
-fit.csv (time, record, first guess, fit; with a record) and fit.png into a folder. docs/fit.md explains the meaning of
-the numbers.
+fit.csv (time, record, first guess, fit; with a record), fit.png and with --posterior posterior.csv (a row for each point of
+the chain) into a folder. docs/fit.md explains the meaning of the numbers.
 """
 
 import argparse
@@ -20,7 +20,7 @@ from common import UserError, keep_inputs, save
 from upbead import figures, fit
 
 
-WRITTEN = ("fit.json", "fit.csv", "fit.png")
+WRITTEN = ("fit.json", "fit.csv", "fit.png", "posterior.csv")
 
 
 def pairs(texts, what):
@@ -80,6 +80,13 @@ def parse():
     parser.add_argument("--start", type=float, default=0.0, metavar="S", help="time of the record that is t = 0 of the run")
     parser.add_argument("--zero", type=float, default=0.0, metavar="S", help="so much of the record's beginning is at rest")
     parser.add_argument("--noise", type=float, help="standard deviation of a sample (SI; default: by the residual)")
+    parser.add_argument("--posterior", type=int, metavar="N",
+                        help="sample the posterior by N evaluations, some thousands; each is a run, if there is no --model")
+    parser.add_argument("--model", type=Path, help="soils.h5 of the case, by 'upbead reduce --soils', which answers in place of runs")
+    parser.add_argument("--also", action="append", default=[], metavar="NAME",
+                        help="a further record of the posterior, [measured.NAME] of the case; repeatable")
+    parser.add_argument("--checks", type=int, default=20, metavar="N",
+                        help="points of the posterior by --model that are answered again by runs (default: %(default)s)")
     parser.add_argument("--jobs", type=int, default=2, help="runs at once (default: %(default)s)")
     parser.add_argument("--out", type=Path, metavar="DIR", help="folder (default: results/NAME-fit)")
     return parser.parse_args()
@@ -90,10 +97,11 @@ def main():
     parameters = {text.split("=")[0]: guess(text.split("=", 1)[1]) if "=" in text else None for text in options.parameter}
     folder = options.out or Path("results") / f"{options.case.stem}-fit"
     for name in WRITTEN:
-        keep_inputs(folder / name, options.case, *([options.record] if options.record else []))
+        keep_inputs(folder / name, options.case, *([options.record] if options.record else []), *([options.model] if options.model else []))
     found = fit(options.case, options.record, options.reading, parameters, pairs(options.tie, "tie"), column=options.column,
                 unit=options.unit, start=options.start, zero=options.zero, noise=options.noise, jobs=options.jobs,
                 frequencies=[mode(text) for text in options.frequency], dampings=[mode(text) for text in options.damping],
+                posterior=options.posterior, model=options.model, also=options.also, checks=options.checks,
                 set={key: toml(text) for key, text in pairs(options.set, "set").items()})
     print(found)
     print(" ".join(["run it with", *(f"--set {key}={value:.6g}" for key, value in found.settings.items())]))
@@ -106,6 +114,8 @@ def write(found, folder):
         (folder / "fit.json").write_text(json.dumps(found.summary(), indent=2) + "\n", encoding="utf-8")
         if found.time.size:
             write_histories(found, folder)
+        if found.posterior:
+            write_sample(found.posterior, folder)
     except OSError as error:
         raise UserError(f"cannot write to '{folder}': {error}") from error
     save(figures.fit(found), folder / "fit.png")
@@ -116,6 +126,13 @@ def write_histories(found, folder):
         writer = csv.writer(file)
         writer.writerow(["time (s)", *(f"{name} ({found.record.unit})" for name in ("record", "first guess", "fit"))])
         writer.writerows(zip(*(map(float, column) for column in (found.time, found.record, found.first, found.computed))))
+
+
+def write_sample(posterior, folder):
+    with open(folder / "posterior.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(posterior.keys)
+        writer.writerows([f"{value:.8g}" for value in row] for row in posterior.sample)
 
 
 if __name__ == "__main__":

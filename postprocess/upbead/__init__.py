@@ -15,6 +15,7 @@ from .cfd import read_cfd
 from .errors import CaseError, ModelError, NumericsError, SoilError, UpbeadError, UserError
 from .fit import fit
 from .fit_result import Fit
+from .fit_soils import SoilRecord, soil_posterior
 from .history import History
 from .live import page
 from .opening import open_model
@@ -25,9 +26,9 @@ from .slip_result import SlipResult
 from .soil_model import SoilModel
 from .study_table import StudyTable
 
-__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "SoilError", "SoilModel", "StudyTable",
+__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable",
            "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "run",
-           "study", "waves"]
+           "soil_posterior", "study", "waves"]
 
 
 def __getattr__(name):

@@ -16,6 +16,7 @@ from .fit_directions import identifiable, joined
 from .fit_modes import Paired, at_small_strain, require_modes, surveyed
 from .fit_parameters import TIME_FACTOR, as_asked, parameters_of, parse_ties, value_of
 from .fit_result import Fit
+from .fit_posterior import OfRuns, SoilFit, sampled
 from .fit_runs import Runs
 from .fit_weights import Weights
 from .history import History
@@ -25,7 +26,8 @@ LIMIT = 0.25  # relative; a combination with a larger uncertainty is called not 
 
 
 def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=None, unit=None, start=0.0, zero=0.0,
-        noise=None, frequencies=None, dampings=None, limit=LIMIT, set=None, jobs=2, program=None):
+        noise=None, frequencies=None, dampings=None, limit=LIMIT, set=None, jobs=2, program=None, posterior=None, model=None,
+        also=(), checks=20):
     """Fits keys of a case to a record, to natural frequencies and damping ratios, or to both, by nonlinear least squares
     on their logarithms. Returns a Fit.
 
@@ -40,7 +42,11 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
     [(f, standard deviation), ...] in Hz, or (f, standard deviation, N) of the N-th mode of `periods` by the first
     guess. dampings: [(ratio, standard deviation) or None, ...], the n-th belongs to the n-th frequency. limit:
     relative; a combination with a larger uncertainty is not fixed. set: further keys of the case. jobs: runs at once.
-    Each evaluation is an `upbead run` of a reduced model.
+    posterior: number of evaluations by which the posterior of the keys is sampled, from the fit on. model: path of a model
+    of soils of this case, or a SoilModel with the readings in its histories; it then answers in place of runs, within its
+    box, and `checks` points of the posterior are answered again by runs. also: names of further records of the case,
+    [measured.NAME], which the posterior has in common with the first; only with a model.
+    Each evaluation is an `upbead run` of a reduced model, where no model of soils is given.
     Raises UserError, and the errors of `run`.
     """
     asked, modes = as_asked(parameters), surveyed(frequencies, dampings)
@@ -49,25 +55,36 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
     runs = Runs(case, reading, parse_ties(ties, list(asked)), set, jobs, program)
     shown, window = measured_by(runs, asked, record, modes, column, unit, start, zero)
     parameters = parameters_of(asked, shown["case"])
+    soils = SoilFit(model, runs, window, parameters, modes, also, noise) if model is not None else None
+    if also and not (soils and posterior):
+        raise UserError("further records need a model of soils and a posterior: give model and posterior, too")
+    if soils:
+        parameters = soils.parameters
     paired = Paired(modes, runs, parameters) if modes else None
     measured = np.concatenate([window.value, modes.values]) if modes else window.value
     weights = Weights(window.time.size, noise, modes.uncertainty if modes else np.empty(0))
 
     def compute(points):
-        answers = runs.at(window.time, [parameters.point(x) for x in points])
+        answers = (soils or runs).at(window.time, [parameters.point(x) for x in points])
         return [np.append(answer, paired.rows(x)) for answer, x in zip(answers, points)] if modes else answers
 
-    solution = solve(compute, measured, parameters, runs.failures, weights)
+    failures = soils.failures if soils else runs.failures
+    solution = solve(compute, measured, parameters, failures, weights)
     first = compute([np.zeros(len(asked))])[0]
     statistics = judge(parameters, solution, measured, noise, limit, weights)
     if modes:
         statistics["cautions"] += paired.cautions(solution.x)
-    if runs.failures:
-        statistics["cautions"].append(f"{len(runs.failures)} runs failed and were left out; the first: {runs.failures[0]}")
+    if failures:
+        what = "soils were not answered" if soils else "runs failed"
+        statistics["cautions"].append(f"{len(failures)} {what} and were left out; the first: {failures[0]}")
+    sample = None
+    if posterior:
+        source = soils or OfRuns(compute, parameters, window.time.size)
+        sample = sampled(source, measured, solution, statistics, weights, noise, posterior, limit, checks)
     histories = {name: History(values[: window.time.size], shown["unit"], told) for name, values, told in (
         ("record", measured, "measured"), ("first", first, "first guess"), ("computed", solution.computed, "fit"),
         ("residual", measured - solution.computed, "record minus fit"))}
-    return Fit(values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,
+    return Fit(posterior=sample, values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,
                time=window.time, ties=runs.ties, modes=paired.table(solution.x) if modes else [], **histories, **statistics)
 
 

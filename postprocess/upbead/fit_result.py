@@ -20,7 +20,7 @@ class Fit(Shown):
     identifiable: which products of powers the record fixes. noise: standard deviation of a sample. n_runs: number of
     runs of the program. first, computed: the reading by the first guess and by the fit. modes: each measured
     frequency and the computed mode that it was paired with. cautions: reasons to doubt the numbers. For modes alone
-    noise is None, and there is no history.
+    noise is None, and there is no history. posterior: a Posterior, if it was asked for.
     """
 
     values: dict
@@ -40,6 +40,7 @@ class Fit(Shown):
     ties: dict = field(default_factory=dict)
     modes: list = field(default_factory=list)
     cautions: list = field(default_factory=list)
+    posterior: object = None
 
     @property
     def settings(self):
@@ -56,6 +57,8 @@ class Fit(Shown):
                 "covariance_of_logarithms": self.covariance.tolist(), "correlation": self.correlation.tolist()}
         told["identifiable"] = {name: [vars(combination) for combination in getattr(self.identifiable, name)]
                                 for name in ("directions", "fixed", "free")} | {"text": str(self.identifiable)}
+        if self.posterior:
+            told["posterior"] = self.posterior.summary()
         return json.loads(json.dumps(told | {"cautions": self.cautions}))
 
     def __repr__(self):
@@ -65,7 +68,7 @@ class Fit(Shown):
         width = max(map(len, self.values))
         lines = [f"{key:{width}}  {value:.4g}  {interval_text(self.confidence[key])}" for key, value in self.values.items()]
         lines += [mode_text(mode) for mode in self.modes] + [str(self.identifiable)] + [f"caution: {text}" for text in self.cautions]
-        return "\n".join(lines)
+        return "\n".join(lines + [str(self.posterior)] * bool(self.posterior))
 
 
 def mode_text(mode):
