@@ -1,7 +1,9 @@
 // The parts of an accepted reduced model are consistent and finite.
 #include "hdf5_changes.h"
 #include "output/sample_model.h"
+#include "output/sample_soils.h"
 #include "respond/wave_files.h"
+#include "soils/soil_answers.h"
 #include "target.h"
 
 namespace upbead::fuzz {
@@ -64,6 +66,20 @@ void read(const std::string& image) {
 void try_model(std::string_view bytes) {
   static const std::string sound = model_file(slipping_model());
   read(changed_hdf5(sound, bytes));
+}
+
+void try_soil_model(std::string_view bytes) {
+  static const std::string sound = soil_model_file(test::two_soils());
+  const std::string path = memory_file("soils.h5", changed_hdf5(sound, bytes));
+  read_or_refuse([&] {
+    const SoilAnswers answers(read_soil_model_file(path), path);
+    const SoilFamilyFile& family = answers.file().family;
+    check(family.reduced.fixed);
+    require(family.reduced.parts.size() == family.terms.size(), "every part has its coefficient");
+    const ReducedSystem member = family.reduced.bonded(answers.factors(answers.whole({})));
+    check(member);
+    require(member.size() == family.reduced.fixed.size() - (family.reduced.slips() ? 1 : 0), "a slip is held");
+  });
 }
 
 void try_model_bytes(std::string_view bytes) {

@@ -22,12 +22,14 @@ struct Reader {
   int changes;  ///< number to try, in some seconds at most
 };
 
-const std::map<std::string, Reader> targets{{"case", {try_case, 1500}},          {"design", {try_design, 1000}},
-                                            {"flow", {try_flow, 4000}},          {"forces", {try_forces, 4000}},
-                                            {"history", {try_history, 5000}},    {"script", {try_script, 5000}},
-                                            {"groups", {try_groups, 500}},       {"mesh", {try_mesh, 50}},
-                                            {"model", {try_model, 80}},          {"model_bytes", {try_model_bytes, 10}},
-                                            {"wave_file", {try_wave_file, 120}}, {"checkpoint", {try_checkpoint, 100}}};
+const std::map<std::string, Reader> targets{
+    {"case", {try_case, 1500}},           {"design", {try_design, 1000}},
+    {"flow", {try_flow, 4000}},           {"forces", {try_forces, 4000}},
+    {"history", {try_history, 5000}},     {"script", {try_script, 5000}},
+    {"groups", {try_groups, 500}},        {"mesh", {try_mesh, 50}},
+    {"model", {try_model, 80}},           {"model_bytes", {try_model_bytes, 10}},
+    {"soil_model", {try_soil_model, 80}}, {"wave_file", {try_wave_file, 120}},
+    {"checkpoint", {try_checkpoint, 100}}};
 
 std::string bytes_of(const fs::path& path) {
   std::stringstream bytes;

@@ -38,6 +38,7 @@ TARGETS = {
     "model": (".h5 reduced model: valid HDF5, objects changed at will", 300, 30000),
     "checkpoint": (".h5 checkpoint: valid HDF5, objects changed at will", 300, 15000),
     "wave_file": (".h5 waves: valid HDF5, objects changed at will", 300, 15000),
+    "soil_model": (".h5 model of soils: valid HDF5, objects changed at will", 300, 30000),
     "model_bytes": (".h5 reduced model byte by byte", 40000, 50000),
 }
 WORDS = {

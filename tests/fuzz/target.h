@@ -23,6 +23,7 @@ void try_mesh(std::string_view bytes);         ///< a .msh, byte by byte, throug
 void try_groups(std::string_view bytes);       ///< a .msh that gmsh can read: nodes, cells, groups, names at will
 void try_model(std::string_view bytes);        ///< .h5 of a reduced model: valid HDF5 whose objects are changed
 void try_model_bytes(std::string_view bytes);  ///< .h5 of a reduced model, byte by byte
+void try_soil_model(std::string_view bytes);   ///< .h5 of a model of soils: valid HDF5 whose objects are changed
 void try_wave_file(std::string_view bytes);    ///< .h5 of waves: valid HDF5 whose objects are changed
 
 /// Throws std::logic_error if a promise of a target does not hold.
