@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <string>
 
 #include "base/cores.h"
 #include "cli/command.h"
@@ -28,7 +30,9 @@ namespace {
 int main(int argc, char** argv) {
   int code = 0;
   try {
-    const upbead::PetscSession petsc;
+    // each part of a study is alone, whoever has started it: it makes one once it has left the launcher
+    std::optional<upbead::PetscSession> petsc;
+    if (argc < 2 || std::string(argv[1]) != "study") petsc.emplace();
     const std::vector<upbead::Command> solving{upbead::explain_command(), upbead::run_command(),
                                                upbead::sheet_command(), upbead::reduce_command(),
                                                upbead::study_command()};

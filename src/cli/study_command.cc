@@ -1,78 +1,56 @@
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
 #include "base/cores.h"
-#include "base/files.h"
 #include "base/interrupt.h"
+#include "base/launch.h"
 #include "base/progress.h"
 #include "case/script_trust.h"
-#include "cli/command.h"
+#include "cli/study_options.h"
 #include "study/local_pool.h"
-#include "study/results.h"
 #include "study/runner.h"
+#include "study/shared_files.h"
 #include "study/study_lock.h"
-#include "study/workers.h"
+#include "study/study_progress.h"
+#include "upbead/algebra/petsc_session.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr int exit_input = 1, exit_failed_runs = 2, exit_signal = 128;
+/// What of a study this process computes: all of it, or a part.
+struct Share {
+  std::optional<Part> part;
+  std::optional<Launch> launch;  ///< of the processes that have the other parts, where a launcher has started them
 
-const std::vector<std::string> study_files{"study.csv",       "study.h5",           "summary.json",
-                                           "journal/*.jsonl", "journal/soils-*.h5", "journal/soils-*.txt",
-                                           "runs/*.json"};
-
-struct StudyOptions : CommonOptions {
-  int jobs = 0;  ///< 0: one per core
-  bool restart = false;
-  bool no_sharing = false;
-  bool trusts_scripts = false;
+  std::string lock() const { return part ? part->lock() : StudyLock::of_study; }
+  std::string journal() const { return part ? part->name() + "-" : ""; }
 };
 
-int number_of_results(const Results& results) {
-  return static_cast<int>(std::count_if(results.begin(), results.end(), [](const auto& r) { return r.has_value(); }));
+/// The results of the runs in the pieces alone.
+Results of_pieces(const Pieces& pieces, const Results& results) {
+  Results own(results.size());
+  for (const std::vector<int>& piece : pieces)
+    for (const int run : piece) own[static_cast<std::size_t>(run)] = results[static_cast<std::size_t>(run)];
+  return own;
 }
 
-int number_of_runs(const std::vector<std::vector<int>>& pieces) {
+int number_of_runs(const Pieces& pieces) {
   int n = 0;
   for (const std::vector<int>& piece : pieces) n += static_cast<int>(piece.size());
   return n;
 }
 
-/// Takes pieces of work until none is left, and writes every result to the journal at once.
-void work(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options, Pool& pool) {
-  const int n = number_of_runs(pieces);
-  StudyProgress progress(n);
-  const auto meanwhile = [&] {
-    check_interrupt();
-    if (pool.rank() == 0 && progress.due()) progress.draw(pool.done(), pool.failed());
-  };
-  Journal journal(options.out, study, pool.rank());
-  Runner runner(study, options.out, !options.no_sharing, options.trusts_scripts);
-  for (std::size_t i = static_cast<std::size_t>(pool.take()); i < pieces.size();
-       i = static_cast<std::size_t>(pool.take()))
-    for (const int run : pieces[i]) {
-      meanwhile();
-      const RunResult result = runner.run(run, meanwhile);
-      journal.add(run, result);
-      pool.tell(1, result.done ? 0 : 1);
-    }
-  while (pool.rank() == 0 && pool.done() < n) {  // other processes still work on their last pieces
-    meanwhile();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  pool.meet();
-}
-
-/// The same by processes that this one starts. Returns 0, or the exit code of one that could not go on.
-int work_in_processes(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options,
-                      StudyAccount& account) {
+/// Computes runs in processes of this machine, and writes every result to a journal at once. Returns 0, or the exit
+/// code of one that could not go on.
+int work(const Study& study, const Pieces& pieces, const Share& share, const StudyOptions& options,
+         StudyAccount& account) {
   StudyProgress progress(number_of_runs(pieces));
-  LocalPool pool(pieces, account.processes);
+  LocalPool pool(pieces, account.processes, share.journal());
   const auto meanwhile = [&] {
     check_interrupt();
     if (progress.due()) progress.draw(pool.done(), pool.failed());
@@ -80,17 +58,18 @@ int work_in_processes(const Study& study, const std::vector<std::vector<int>>& p
   const auto give_up = [&](int run, const std::string& why) {
     RunResult failed;
     failed.message = why;
-    Journal(options.out, study, pool.next_rank()).add(run, failed);
+    Journal(options.out, study, pool.next_name()).add(run, failed);
   };
   const int code = pool.work(meanwhile, give_up);
   account.lost = pool.lost();
+  if (account.lost > 0) Journal(options.out, study, pool.next_name()).add_lost(account.lost);
   return code;
 }
 
 /// What one of these processes does.
 int serve(const StudyWorker& worker, const StudyOptions& options) {
   const Study study = read_study(options.file, options.overrides);
-  Journal journal(options.out, study, worker.rank);
+  Journal journal(options.out, study, worker.name);
   Runner runner(study, options.out, !options.no_sharing, options.trusts_scripts);
   worker.serve([&](int run) {
     const RunResult result = runner.run(run, [] {});
@@ -101,135 +80,126 @@ int serve(const StudyWorker& worker, const StudyOptions& options) {
 }
 
 /// A run without a result was computed, but its line did not come through: a disk that lies.
-void fail_lost(Results& results) {
-  for (std::optional<RunResult>& result : results)
-    if (!result) {
+void fail_lost(const Pieces& pieces, Results& results) {
+  for (const std::vector<int>& piece : pieces)
+    for (const int run : piece) {
+      std::optional<RunResult>& result = results[static_cast<std::size_t>(run)];
+      if (result) continue;
       result.emplace();
       result->message = "it was computed, but its line in the journal is not whole: the same command does it again";
     }
 }
 
-/// Writes the tables from the journals, and prints a summary; returns the exit code.
-int finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
-  Results results = read_journals(options.out, study).results;
-  fail_lost(results);
-  OutputFolder folder(options.out);
-  folder.write("study.csv", study_csv(study, results));
-  folder.write("study.h5", study_h5(study, results));
-  const std::string json = to_json(study, results, account);
-  folder.write("summary.json", json);
-  folder.commit();
-  std::cout << (options.json ? json
-                             : describe(study, results, account) + "written     " + folder.name() +
-                                   "/{study.csv, study.h5, summary.json}\n")
+/// Where a launcher has started the parts, the first process that finds all results joins them. Others end well
+/// whatever has failed, as launchers end all processes once one ends otherwise.
+int finish_launched(const Study& study, const JournalsRead& read, const Share& share, const StudyOptions& options,
+                    const Stopwatch& since_start) {
+  const std::string once = (journal_folder(options.out) / (share.launch->id + merged_ending)).string();
+  const int done = n_results(read.results), n = static_cast<int>(study.runs.size());
+  const bool can_join = done == n && !share.launch->id.empty();
+  if (can_join && is_first(once)) return merge(study, read, options, since_start);
+  if (!can_join)
+    std::cerr << "upbead: part " << share.part->text() << " has ended; " << done << " of " << n
+              << " runs of the study have results" << (done == n ? ": " : "; once all have, unless it is done then: ")
+              << command_of(options, " --merge") << "\n";
+  return 0;
+}
+
+/// Tells what was computed; returns the exit code.
+int finish(const Study& study, const Pieces& pieces, const Share& share, const StudyOptions& options,
+           StudyAccount& account, const Stopwatch& since_start) {
+  JournalsRead read = read_journals(options.out, study);
+  if (share.launch) return finish_launched(study, read, share, options, since_start);
+  fail_lost(pieces, read.results);
+  account.seconds = since_start.seconds();
+  if (!share.part) return write_tables(study, read.results, options, account);
+  const Results own = of_pieces(pieces, read.results);
+  account.part = share.part->text();
+  std::cout << (options.json ? to_json(study, own, account)
+                             : describe(study, own, account) + "next        " + command_of(options, " --merge") +
+                                   ", once all parts are done\n")
             << std::flush;
-  return n_failed(results) > 0 ? exit_failed_runs : 0;
+  return n_failed(own) > 0 ? exit_failed_runs : 0;
 }
 
-/// Ends this process without MPI_Finalize, which would wait for the other processes, whatever they are doing.
-[[noreturn]] void leave(int code) {
-  std::cerr << std::flush;
-  std::_Exit(code);
+/// The pieces of the share whose runs have no result yet. Tells of lines that are torn where these are now done again.
+Pieces left_of(const Study& study, const Pieces& pieces, const Share& share, const StudyOptions& options,
+               StudyAccount& account) {
+  const JournalsRead read = read_journals(options.out, study, share.journal());
+  Pieces left = without_done(pieces, read.results);
+  account.resumed = number_of_runs(pieces) - number_of_runs(left);
+  if (left.empty() || read.torn == 0) return left;
+  account.torn = read.torn;
+  std::cerr << "upbead: lines of the journal that are not whole: " << read.torn << "; their runs are done again\n";
+  return left;
 }
 
-int tell_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options) {
-  std::cerr << "upbead: interrupted; " << number_of_results(read_journals(options.out, study).results) << " of "
-            << study.runs.size() << " runs are done, the same command goes on with the rest\n";
+int tell_interrupted(const Interrupted& interrupted, const Study& study, const Pieces& pieces, const Share& share,
+                     const StudyOptions& options) {
+  if (!share.launch || share.launch->rank == 0)
+    std::cerr << "upbead: interrupted; " << n_results(of_pieces(pieces, read_journals(options.out, study).results))
+              << " of " << number_of_runs(pieces) << " runs" << (share.part ? " of the part" : "")
+              << " are done, the same command goes on with the rest\n";
   return exit_signal + interrupted.signal();
 }
 
-/// The runs that have a result already. Tells of lines that are torn where their runs are now done again.
-Results done_before(const Study& study, const StudyOptions& options, StudyAccount& account, bool is_first) {
-  JournalsRead read = read_journals(options.out, study);
-  account.resumed = number_of_results(read.results);
-  if (account.resumed == static_cast<int>(read.results.size()) || read.torn == 0) return read.results;
-  account.torn = read.torn;
-  if (is_first)
-    std::cerr << "upbead: lines of the journal that are not whole: " << read.torn << "; their runs are done again\n";
-  return read.results;
-}
-
-void make_families(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options) {
-  if (options.no_sharing || pieces.empty()) return;
-  make_soil_families(study, pieces, options.out, options.trusts_scripts, shown_progress("one model for many soils"));
-}
-
-/// Runs the study in this process, or in processes of this machine.
-int run_alone(const StudyOptions& options, const Stopwatch& since_start) {
-  const Study study = read_study(options.file, options.overrides);
-  require_inputs_kept(options.out, study_files, study.inputs);
-  {
-    const OutputFolder free_to_write(options.out);  // throws where it is not free; released before the runs take it
-  }
-  const StudyLock lock(options.out);
+int run(const Share& share, const StudyOptions& options, const Stopwatch& since_start) {
+  const Study study = read_study_of(options);
+  const StudyLock lock(options.out, share.lock());
   if (options.restart) remove_journals(options.out);
+  const Pieces pieces = share.part ? deal(study, share.part->of)[static_cast<std::size_t>(share.part->number) - 1]
+                                   : schedule(study, Results(study.runs.size()));
   StudyAccount account;
-  const std::vector<std::vector<int>> pieces = schedule(study, done_before(study, options, account, true));
-  const int jobs = options.jobs > 0 ? options.jobs : available_cores();
-  account.processes = std::max(1, std::min(jobs, static_cast<int>(pieces.size())));
+  const Pieces left = left_of(study, pieces, share, options, account);
+  const int jobs = options.jobs > 0 ? options.jobs : share.part ? 1 : available_cores();
+  account.processes = std::max(1, std::min(jobs, static_cast<int>(left.size())));
   note_interrupts();
   try {
-    make_families(study, pieces, options);
-    if (account.processes > 1) {
-      if (const int code = work_in_processes(study, pieces, options, account); code != 0) return code;
-    } else if (!pieces.empty()) {
-      Pool alone;
-      work(study, pieces, options, alone);
-    }
+    if (!options.no_sharing && !left.empty())
+      make_soil_families(study, left, options.out, options.trusts_scripts, shown_progress("one model for many soils"));
+    if (!left.empty())
+      if (const int code = work(study, left, share, options, account); code != 0) return code;
   } catch (const Interrupted& interrupted) {
-    return tell_interrupted(interrupted, study, options);
+    return tell_interrupted(interrupted, study, pieces, share, options);
   }
-  account.seconds = since_start.seconds();
-  return finish(study, options, account);
+  return finish(study, pieces, share, options, account, since_start);
 }
 
-/// Reads the study. Only the first process reports mistakes; the other processes return none.
-std::optional<Study> read_study_in(const Pool& pool, const StudyOptions& options) {
+/// The share that the command line asks for, or the launcher that has started this process among others.
+Share share_of(const StudyOptions& options) {
+  if (!options.part.empty() && options.part != "auto") return {read_part(options.part), {}};
+  std::optional<Launch> launch = launch_of_environment();
+  if (launch && launch->size == 1) launch.reset();
+  if (!launch && options.part.empty()) return {};
+  const Launch mine = launch ? *launch : launch_of_array();
+  const Part part{mine.rank + 1, mine.size};
+  if (!launch || mine.rank == 0) std::cerr << "upbead: part " << part.text() << ", by " << mine.by << "\n";
+  return {part, launch};
+}
+
+void refuse(const std::string& options, const std::string& why, const std::string& cure) {
+  throw InputError({options}, why, cure);
+}
+
+void check_options(const StudyOptions& options, const Share& share) {
+  if (options.merge && !options.part.empty())
+    refuse("--merge", "joins all parts, and computes none", "leave out --part, or --merge");
+  if (options.follow && !options.merge) refuse("--follow", "follows the parts until it joins them", "add --merge");
+  if (options.restart && options.merge) refuse("--restart", "forgets what --merge joins", "leave out one of them");
+  if (options.restart && share.part)
+    refuse("--restart", "one part cannot know what others have begun to compute anew",
+           "remove the folder " + journal_folder(options.out).string() + " before all parts are started");
+}
+
+/// Of processes that a launcher has started, the first one tells a mistake: mpirun then ends the others meanwhile.
+int run_launched(const Share& share, const StudyOptions& options, const Stopwatch& since_start) {
   try {
-    return read_study(options.file, options.overrides);
+    check_options(options, share);
+    if (options.merge) return share.launch && share.launch->rank > 0 ? 0 : merge(options, since_start);
+    return run(share, options, since_start);
   } catch (const InputError&) {
-    if (pool.rank() == 0) throw;
-    return std::nullopt;
-  }
-}
-
-/// What the first process does before the others read the journals.
-std::unique_ptr<StudyLock> begin(const Study& study, const StudyOptions& options, const Pool& pool) {
-  if (pool.rank() > 0) return nullptr;
-  require_inputs_kept(options.out, study_files, study.inputs);
-  auto lock = std::make_unique<StudyLock>(options.out);
-  if (options.restart) remove_journals(options.out);
-  return lock;
-}
-
-/// Runs the study in the processes that a launcher has started.
-int run_among(const StudyOptions& options, const Stopwatch& since_start) {
-  Pool pool;
-  const std::optional<Study> read = read_study_in(pool, options);
-  if (!read) return exit_input;
-  const Study& study = *read;
-  try {
-    const std::unique_ptr<StudyLock> lock = begin(study, options, pool);
-    pool.meet();
-    StudyAccount account;
-    const std::vector<std::vector<int>> pieces =
-        schedule(study, done_before(study, options, account, pool.rank() == 0));
-    pool.meet();  // all processes read before any writes
-    note_interrupts();
-    if (pool.rank() == 0) make_families(study, pieces, options);
-    pool.meet();
-    if (!pieces.empty()) work(study, pieces, options, pool);
-    account.processes = pool.size();
-    account.seconds = since_start.seconds();
-    return pool.rank() > 0 ? 0 : finish(study, options, account);
-  } catch (const Interrupted& interrupted) {
-    // the launcher ends all processes once one ends, so the first process gets time to print its message
-    if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
-    leave(pool.rank() == 0 ? tell_interrupted(interrupted, study, options) : exit_signal + interrupted.signal());
-  } catch (const std::exception& error) {
-    if (pool.size() == 1) throw;
-    std::cerr << error.what() << "\n";
-    leave(exit_input);
+    if (share.launch && share.launch->rank > 0) std::this_thread::sleep_for(std::chrono::seconds(5));
+    throw;
   }
 }
 
@@ -243,7 +213,14 @@ Writes into results/NAME (or --out DIR):
   journal/       what is known while it runs; the same command goes on where it stopped
   runs/          the whole summary of each run, where the study has summaries = true
 
-A failed run is a row that says why; the exit code then is 2. On a cluster: mpirun -n 64 upbead study STUDY
+A failed run is a row that says why; the exit code then is 2.
+
+On many machines each computes a part, with journals of its own on a shared disk, and none waits for another;
+--merge joins them, and tells what is missing and the command that does it:
+  sbatch --array=1-100 --wrap 'upbead study STUDY --part $SLURM_ARRAY_TASK_ID/100'
+  parallel upbead study STUDY --part {}/8 ::: $(seq 8)
+  upbead study STUDY --merge
+  mpirun -n 64 upbead study STUDY            # part RANK+1 of 64 each; the last one joins them
 
 Examples:
   upbead study cases/study/stiffness.toml
@@ -258,7 +235,11 @@ Command study_command() {
   command.options =
       common_options(*options, "study", "the results (default: results/NAME, NAME as the study's)") +
       std::vector<Option>{
-          {"--jobs", &options->jobs, "processes (default: one per core)", "", false, false, std::pair(1, 100000)},
+          {"--jobs", &options->jobs, "processes (default: one per core; of a part, one)", "", false, false,
+           std::pair(1, 100000)},
+          {"--part", &options->part, "compute part K of N alone; auto: as mpirun, srun or a Slurm array tells", "K/N"},
+          {"--merge", &options->merge, "compute nothing: join the results of all parts, and tell what is missing"},
+          {"--follow", &options->follow, "with --merge: show how far the parts are, and join them when all is done"},
           {"--restart", &options->restart, "forget the runs that are done"},
           {"--no-sharing", &options->no_sharing, "mesh and solve every run anew; the numbers are the same"},
           trust_option(options->trusts_scripts)};
@@ -268,8 +249,14 @@ Command study_command() {
   command.footer = study_footer;
   command.work = [options, since_start = Stopwatch()] {
     if (options->out.empty()) options->out = "results/" + std::filesystem::path(options->file).stem().string();
-    if (const auto worker = StudyWorker::of_environment()) return serve(*worker, *options);
-    return is_launched() ? run_among(*options, since_start) : run_alone(*options, since_start);
+    if (const auto worker = StudyWorker::of_environment()) {
+      static const PetscSession of_worker;
+      return serve(*worker, *options);
+    }
+    const Share share = share_of(*options);
+    leave_launcher();
+    static const PetscSession petsc;
+    return run_launched(share, *options, since_start);
   };
   return command;
 }

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <tuple>
 
 #include "case/input_files.h"
 #include "study/results.h"
@@ -93,7 +92,8 @@ bool begins_another(const std::string& line, const Json& json, std::uint64_t stu
   return other != study && (is_old || is_whole(line, json, other));
 }
 
-void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead& read) {
+/// `counts`: lines that are not whole.
+void read_journal(const fs::path& path, std::uint64_t fingerprint, bool counts, JournalsRead& read) {
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const bool is_old = text.find("\"check\"") == std::string::npos;
@@ -106,7 +106,9 @@ void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead&
                        "changed",
                        "add --restart to forget them, or choose another folder with --out DIR");
     if (!is_whole(line, json, fingerprint))
-      ++read.torn;
+      read.torn += counts ? 1 : 0;
+    else if (json.contains("lost"))
+      read.lost += json.at("lost").get<int>();
     else if (json.contains("run"))
       read.results.at(json.at("run").get<std::size_t>()) = result_of(json);
   }
@@ -117,55 +119,16 @@ void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead&
                    "make room on the disk, or choose another folder with --out DIR");
 }
 
-/// What runs can share: those with equal lists up to `mesh` share a mesh, and so on, up to `basis` a basis, up to
-/// `solved` a solution. Only the order of runs follows from it: Runner looks at what the keys make.
-struct Likeness {
-  int case_index;
-  std::vector<Setting> mesh, system, basis, solved;
-  int run;
-
-  auto of_solution() const { return std::tie(case_index, mesh, system, basis, solved); }
-  bool operator<(const Likeness& other) const {
-    return std::tuple_cat(of_solution(), std::tie(run)) < std::tuple_cat(other.of_solution(), std::tie(other.run));
-  }
-};
-
-bool begins_with(const std::string& text, const std::string& part) {
-  return text.rfind(part, 0) == 0;
-}
-
-bool ends_with(const std::string& text, const std::string& part) {
-  return text.size() >= part.size() && text.compare(text.size() - part.size(), part.size(), part) == 0;
-}
-
-/// The list of the last stage that most likely stays where the key changes; none: what is only told.
-std::vector<Setting> Likeness::*list_of(const std::string& key) {
-  if (begins_with(key, "mesh")) return &Likeness::mesh;
-  if (begins_with(key, "sliding") || begins_with(key, "limits")) return nullptr;
-  if (begins_with(key, "loads"))
-    return ends_with(key, "peak") || ends_with(key, "factor") ? &Likeness::solved : &Likeness::basis;
-  for (const char* course : {"time", "accuracy", "output"})
-    if (begins_with(key, course)) return &Likeness::basis;
-  return &Likeness::system;
-}
-
-Likeness likeness_of(const StudyRun& run, int number) {
-  Likeness likeness{run.case_index, {}, {}, {}, {}, number};
-  for (const Setting& setting : run.settings)
-    if (const auto list = list_of(setting.first)) (likeness.*list).push_back(setting);
-  return likeness;
-}
-
 }  // namespace
 
 fs::path journal_folder(const std::string& output_folder) {
   return fs::path(output_folder) / "journal";
 }
 
-JournalsRead read_journals(const std::string& output_folder, const Study& study) {
+JournalsRead read_journals(const std::string& output_folder, const Study& study, const std::string& torn_of) {
   JournalsRead read{Results(study.runs.size())};
   for (const fs::path& path : files_in(journal_folder(output_folder), ending))
-    read_journal(path, study.fingerprint, read);
+    read_journal(path, study.fingerprint, path.filename().string().find(torn_of) != std::string::npos, read);
   return read;
 }
 
@@ -173,20 +136,20 @@ void remove_journals(const std::string& output_folder) {
   std::error_code code;
   const fs::path journals = journal_folder(output_folder);
   for (const auto& files : {files_in(journals, ending), files_in(journals, ".h5"), files_in(journals, ".txt"),
-                            files_in(summary_folder(output_folder), ".json")})
+                            files_in(journals, merged_ending), files_in(summary_folder(output_folder), ".json")})
     for (const fs::path& path : files)
       if (!fs::remove(path, code) && code)
         throw InputError({path.string()}, "cannot be removed: " + code.message(),
                          "choose another folder with --out DIR");
 }
 
-Journal::Journal(const std::string& output_folder, const Study& study, int rank)
+Journal::Journal(const std::string& output_folder, const Study& study, const std::string& name)
     : study_(study), output_folder_(output_folder) {
   std::error_code code;
   fs::create_directories(journal_folder(output_folder), code);
   if (study.summaries) fs::create_directories(summary_folder(output_folder), code);
   for (int session = 0; descriptor_ < 0; ++session) {
-    path_ = (journal_folder(output_folder) / (std::to_string(session) + "-" + std::to_string(rank) + ending)).string();
+    path_ = (journal_folder(output_folder) / (std::to_string(session) + "-" + name + ending)).string();
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) cannot_write(path_);
   }
@@ -203,6 +166,10 @@ void Journal::add(int run, const RunResult& result) {
   write(line_of(to_object(run, result), study_.fingerprint));
 }
 
+void Journal::add_lost(int processes) {
+  write(line_of(Json{{"lost", processes}}, study_.fingerprint));
+}
+
 void Journal::write(const std::string& line) {
   std::size_t written = 0;
   do {
@@ -210,20 +177,6 @@ void Journal::write(const std::string& line) {
     if (n < 0) cannot_write(path_);
     written += static_cast<std::size_t>(n);
   } while (written < line.size());
-}
-
-std::vector<std::vector<int>> schedule(const Study& study, const Results& results) {
-  std::vector<Likeness> places;
-  for (std::size_t i = 0; i < study.runs.size(); ++i)
-    if (!results[i]) places.push_back(likeness_of(study.runs[i], static_cast<int>(i)));
-  std::sort(places.begin(), places.end());
-  std::vector<std::vector<int>> pieces;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool alike = i > 0 && places[i].of_solution() == places[i - 1].of_solution();
-    if (!alike) pieces.emplace_back();
-    pieces.back().push_back(places[i].run);
-  }
-  return pieces;
 }
 
 }  // namespace upbead

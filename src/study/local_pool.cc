@@ -44,9 +44,9 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// This process's environment, with one thread each, and "RANK PARENT".
-std::vector<std::string> environment_of_worker(int rank) {
-  std::vector<std::string> list{std::string(study_worker) + "=" + std::to_string(rank) + " " + std::to_string(getpid()),
+/// This process's environment, with one thread each, and "PARENT NAME".
+std::vector<std::string> environment_of_worker(const std::string& name) {
+  std::vector<std::string> list{std::string(study_worker) + "=" + std::to_string(getpid()) + " " + name,
                                 "OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1"};
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
@@ -64,8 +64,8 @@ std::vector<std::string> environment_of_worker(int rank) {
 }
 
 /// Starts this program again with the same command line; what it prints goes to stderr, so that stdout stays clean.
-pid_t spawn(int rank, int socket) {
-  std::vector<std::string> words = command_line(), variables = environment_of_worker(rank);
+pid_t spawn(const std::string& name, int socket) {
+  std::vector<std::string> words = command_line(), variables = environment_of_worker(name);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, socket, socket_of_worker);
@@ -85,11 +85,11 @@ std::optional<StudyWorker> StudyWorker::of_environment() {
   const char* text = std::getenv(study_worker);
   if (text == nullptr) return std::nullopt;
   char* end = nullptr;
-  const StudyWorker worker{static_cast<int>(std::strtol(text, &end, 10)), socket_of_worker};
+  const long parent = std::strtol(text, &end, 10);
   signal(SIGINT, SIG_IGN);  // Ctrl-C reaches all processes of a terminal; the one that has started this one ends it
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != std::strtol(end, nullptr, 10)) std::_Exit(0);
-  return worker;
+  if (getppid() != parent) std::_Exit(0);
+  return StudyWorker{end + 1, socket_of_worker};
 }
 
 void StudyWorker::serve(const std::function<bool(int run)>& compute) const {
@@ -99,7 +99,8 @@ void StudyWorker::serve(const std::function<bool(int run)>& compute) const {
   }
 }
 
-LocalPool::LocalPool(const std::vector<std::vector<int>>& pieces, int processes) {
+LocalPool::LocalPool(const std::vector<std::vector<int>>& pieces, int processes, std::string name)
+    : name_(std::move(name)) {
   for (const std::vector<int>& piece : pieces) pieces_.emplace_back(piece.begin(), piece.end());
   for (int i = 0; i < processes; ++i) start_process();
 }
@@ -117,7 +118,7 @@ void LocalPool::start_process() {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) cannot_start(errno);
   Process process;
   process.socket = ends[0];
-  process.id = spawn(next_rank(), ends[1]);
+  process.id = spawn(next_name(), ends[1]);
   close(ends[1]);
   hand_out(process);
   processes_.push_back(process);

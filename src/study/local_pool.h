@@ -14,8 +14,8 @@ namespace upbead {
 
 /// A process that computes runs for another one.
 struct StudyWorker {
-  int rank = 0;    ///< no other process of the study has it
-  int socket = 0;  ///< to that other process
+  std::string name;  ///< of its journal; no other process of the study has it
+  int socket = 0;    ///< to that other process
 
   /// None where this process is no worker. Ends this process where the other one has ended.
   static std::optional<StudyWorker> of_environment();
@@ -28,8 +28,8 @@ struct StudyWorker {
 /// ended two processes is told as failed.
 class LocalPool {
  public:
-  /// `pieces`: runs of a piece stay in one process.
-  LocalPool(const std::vector<std::vector<int>>& pieces, int processes);
+  /// `pieces`: runs of a piece stay in one process. `name`: with which those of journals begin.
+  LocalPool(const std::vector<std::vector<int>>& pieces, int processes, std::string name);
   /// Ends the workers that are left.
   ~LocalPool();
   LocalPool(const LocalPool&) = delete;
@@ -43,8 +43,8 @@ class LocalPool {
   int failed() const { return failed_; }
   /// Processes that were ended while they computed a run.
   int lost() const { return lost_; }
-  /// A rank that no worker has.
-  int next_rank() { return n_started_++; }
+  /// The name of a journal that no worker has.
+  std::string next_name() { return name_ + std::to_string(n_started_++); }
 
  private:
   struct Process {
@@ -58,6 +58,7 @@ class LocalPool {
   bool take_answer(Process& process);
   void bury(Process& process, const std::function<void(int, const std::string&)>& give_up);
 
+  std::string name_;
   std::deque<std::deque<int>> pieces_;  ///< that no process has
   std::vector<Process> processes_;
   std::map<int, int> deaths_;  ///< by run

@@ -35,14 +35,19 @@ using Results = std::vector<std::optional<RunResult>>;
 struct JournalsRead {
   Results results;
   int torn = 0;  ///< lines that are not whole, as a full disk, a killed process or a power cut leave them
+  int lost = 0;  ///< processes that were ended while they computed a run
 };
 
 /// Reads all journals of a study. A line that is not what was written, as its check shows, is counted, and its run has
-/// no result. Throws InputError where they belong to another study, as its fingerprint shows.
-JournalsRead read_journals(const std::string& output_folder, const Study& study);
+/// no result. Throws InputError where they belong to another study, as its fingerprint shows. `torn_of`: only lines of
+/// journals with this in their names are counted, as others may be about to be written.
+JournalsRead read_journals(const std::string& output_folder, const Study& study, const std::string& torn_of = "");
 
 /// The folder of a study's journals, within that of its results.
 std::filesystem::path journal_folder(const std::string& output_folder);
+
+/// Of empty files in it, which name launches whose results have been joined.
+constexpr const char* merged_ending = ".merged";
 
 /// Removes all journals, families of soils and summaries of runs in the folder.
 void remove_journals(const std::string& output_folder);
@@ -51,13 +56,16 @@ void remove_journals(const std::string& output_folder);
 /// so that it survives the end of the process.
 class Journal {
  public:
-  /// Makes a file for this process; `rank`: of the process. Throws InputError where the folder cannot be written to.
-  Journal(const std::string& output_folder, const Study& study, int rank);
+  /// Makes a file for this process; `name`: its end, after a number that makes it new. Throws InputError where the
+  /// folder cannot be written to.
+  Journal(const std::string& output_folder, const Study& study, const std::string& name);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   /// Also keeps the run's summary, where the study asks for it. Throws InputError where the disk is full.
   void add(int run, const RunResult& result);
+  /// So many processes were ended while they computed a run.
+  void add_lost(int processes);
 
  private:
   void write(const std::string& line);
@@ -67,13 +75,18 @@ class Journal {
   int descriptor_ = -1;
 };
 
-/// The runs that have no result yet, in pieces that stay in one process: runs that differ only in [sliding] form a
-/// piece, as one solution serves all of them. The pieces are ordered by case and mesh, so that a process can often
-/// reuse its mesh.
-std::vector<std::vector<int>> schedule(const Study& study, const Results& results);
+/// Runs that have no result yet.
+struct MissingRuns {
+  std::string part;  ///< "3/100"; "" where no part has begun
+  std::vector<int> runs;
+  std::string holder;   ///< "process 71 on node3" that works on the part, or may; "" where none does
+  std::string command;  ///< that does them
+};
 
 /// How a study was run.
 struct StudyAccount {
+  std::string part;                  ///< "3/100", of which results are told; "" of a whole study
+  std::vector<MissingRuns> missing;  ///< of a whole study
   int processes = 1;
   int resumed = 0;      ///< runs that already had a result
   int torn = 0;         ///< lines of the journals that were not whole, so that their runs were done again
@@ -81,7 +94,8 @@ struct StudyAccount {
   double seconds = 0.;  ///< wall time of this call
 };
 
-/// study.csv: one row per run, with a header; an empty cell where a run has no number.
+/// study.csv: one row per run, with a header; an empty cell where a run has no number. Runs without a result are
+/// missing.
 std::string study_csv(const Study& study, const Results& results);
 
 /// The bytes of study.h5: /runs/{run, case, done, message}, one row per run; /varied/KEY, one row per run; and
@@ -93,6 +107,9 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
 
 /// The summary as text.
 std::string describe(const Study& study, const Results& results, const StudyAccount& account);
+
+/// Number of runs that have a result.
+int n_results(const Results& results);
 
 /// Number of runs that failed.
 int n_failed(const Results& results);

@@ -7,13 +7,15 @@
 #include <map>
 #include <set>
 
-#include "base/files.h"
 #include "base/progress.h"
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "soils/soil_model.h"
 #include "study/results.h"
+#include "study/shared_files.h"
 #include "upbead/base/error.h"
+
+namespace fs = std::filesystem;
 
 namespace upbead {
 
@@ -153,13 +155,14 @@ void make_soil_families(const Study& study, const std::vector<std::vector<int>>&
     const double n = static_cast<double>(groups.size());
     const auto shown = part_of(progress, static_cast<double>(g) / n, static_cast<double>(g + 1) / n);
     const SoilFamilyRead made = family_of(study, groups[g], trusts_scripts, shown);
+    if (read_soil_family(study, g, folder).family) continue;  // of another part, which was first
     std::error_code code;
-    std::filesystem::create_directories(journal_folder(folder), code);
-    std::filesystem::remove(path_of(folder, g, made.family ? ".txt" : ".h5"), code);
+    fs::create_directories(journal_folder(folder), code);
+    fs::remove(path_of(folder, g, made.family ? ".txt" : ".h5"), code);
     if (made.family)
-      write_whole(path_of(folder, g, ".h5"), soil_family_file(*made.family, made_for(study, g)));
+      write_together({{path_of(folder, g, ".h5"), soil_family_file(*made.family, made_for(study, g))}});
     else
-      write_whole(path_of(folder, g, ".txt"), made_for(study, g) + "\n" + made.why_not);
+      write_together({{path_of(folder, g, ".txt"), made_for(study, g) + "\n" + made.why_not}});
   }
 }
 

@@ -1,19 +1,18 @@
 #include "study/study_lock.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <thread>
 
+#include "study/results.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -37,13 +36,14 @@ struct Owner {
   std::string text() const { return std::to_string(pid) + " " + began + " " + system + " " + host + "\n"; }
 };
 
-/// "" where there is no such process.
+/// "" where there is no such process, or it has ended and its parent has not asked how.
 std::string began(int pid) {
   const std::string stat = text_of("/proc/" + std::to_string(pid) + "/stat");
   std::istringstream after(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));  // its name may contain blanks
-  std::string word;
-  for (int field = 3; field <= 22; ++field) after >> word;
-  return after ? word : "";
+  std::string state, word;
+  after >> state;
+  for (int field = 4; field <= 22; ++field) after >> word;
+  return after && state != "Z" && state != "X" ? word : "";
 }
 
 Owner this_process() {
@@ -61,97 +61,150 @@ Owner owner_in(const std::string& text) {
   return owner;
 }
 
+bool is_whole(const Owner& owner, const std::string& text) {
+  return owner.text() == text && !owner.host.empty();
+}
+
 /// Whether the process has certainly ended: on this system as nothing of that number and beginning runs, on this
-/// machine as it has been started anew since. A text that is not whole is of one that was killed before it could write.
+/// machine as it has been started anew since.
 bool has_ended(const std::string& text) {
   const Owner owner = owner_in(text), self = this_process();
-  if (owner.text() != text || owner.host.empty()) return true;
+  if (!is_whole(owner, text)) return false;
   if (owner.system == self.system) return began(owner.pid) != owner.began;
   const auto boot = [](const Owner& o) { return o.system.substr(0, o.system.find("pid:")); };
   return owner.host == self.host && boot(owner) != boot(self);
 }
 
-/// Whether the file is there and younger than a minute: a disk may be slow.
-bool is_young(const std::string& path) {
-  std::error_code code;
-  const fs::file_time_type written = fs::last_write_time(path, code);
-  return !code && fs::file_time_type::clock::now() - written < std::chrono::minutes(1);
+[[noreturn]] void cannot_hold(const std::string& path) {
+  throw InputError({path}, "cannot be written",
+                   "give rights or room to write there, or choose another folder with --out DIR");
 }
 
-/// Moves the file of a process that has ended away; false where it was another's by then.
-bool take_from_ended(const std::string& path, const std::string& text) {
-  const std::string aside = path + "." + std::to_string(getpid());
-  if (rename(path.c_str(), aside.c_str()) != 0) return true;  // another process has moved it: try again
-  const bool was_it = text_of(aside) == text;
-  if (!was_it && link(aside.c_str(), path.c_str()) != 0) return false;
-  unlink(aside.c_str());
-  return was_it;
+void write_owner(int descriptor, const std::string& made, const std::string& path) {
+  const std::string text = this_process().text();
+  const bool is_written = write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  if (close(descriptor) == 0 && is_written) return;
+  unlink(made.c_str());
+  cannot_hold(path);
+}
+
+/// Makes a file of this process beside `path`, under a name that no other process has.
+std::string own_file(const std::string& path) {
+  std::string own = path + ".XXXXXX";
+  const int descriptor = mkstemp(own.data());
+  if (descriptor < 0) cannot_hold(path);
+  fchmod(descriptor, 0644);  // for others to see whose it is
+  write_owner(descriptor, own, path);
+  return own;
+}
+
+/// The same where a file system has no hard links: a file that is for a moment there without its text.
+bool make_without_links(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (descriptor < 0 && errno != EEXIST) cannot_hold(path);
+  if (descriptor >= 0) write_owner(descriptor, path, path);
+  return descriptor >= 0;
+}
+
+/// Makes the file of this process; false where there is one.
+bool make(const std::string& path) {
+  const std::string own = own_file(path);
+  const int error = link(own.c_str(), path.c_str()) == 0 ? 0 : errno;
+  struct stat there;
+  const bool made = error == 0 || (stat(own.c_str(), &there) == 0 && there.st_nlink > 1);  // the answer was lost
+  unlink(own.c_str());
+  if (made || error == EEXIST) return made;
+  if (error == ENOSPC || error == EDQUOT || error == EACCES) cannot_hold(path);
+  return make_without_links(path);
+}
+
+bool take(const std::string& path);
+
+/// Puts a file of this process into the place of one whose process has ended, unless another process was first. One
+/// at a time may, so that none replaces the file of one that lives.
+void replace(const std::string& path, const std::string& ended) {
+  const std::string turn = path + ".turn";
+  if (!take(turn)) return;
+  if (text_of(path) == ended) {
+    const std::string own = own_file(path);
+    if (rename(own.c_str(), path.c_str()) != 0) unlink(own.c_str());
+  }
+  unlink(turn.c_str());
+}
+
+/// False where another process has the file, or may have.
+bool take(const std::string& path) {
+  while (!make(path)) {
+    const std::string text = text_of(path);
+    if (!has_ended(text)) {
+      if (!fs::exists(path)) continue;  // it has just ended
+      return false;
+    }
+    replace(path, text);
+    return text_of(path) == this_process().text();
+  }
+  return true;
+}
+
+/// What works where: "" of a file that excludes nothing else; equal ones go together.
+std::string division_of(const std::string& file) {
+  if (file == StudyLock::of_study) return file;
+  const std::size_t of = file.find("-of-");
+  return of == std::string::npos ? "" : file.substr(of);
+}
+
+[[noreturn]] void refuse(const std::string& output_folder, const fs::path& path) {
+  const std::string file = path.filename().string(), text = text_of(path);
+  const Owner owner = owner_in(text);
+  std::string what = "another study works in this folder";
+  if (file == StudyLock::of_merge) what = "another --merge writes in this folder";
+  if (file.find("-of-") != std::string::npos) what = path.stem().string() + " of the study is at work in this folder";
+  if (is_whole(owner, text)) what += ", process " + std::to_string(owner.pid) + " on " + owner.host;
+  std::string cure = "wait until it has ended, or choose another folder with --out DIR";
+  if (owner.system != this_process().system)
+    cure += "; from here nobody can see whether it still runs: where it does not, remove " + path.string();
+  throw InputError({output_folder}, what, cure);
 }
 
 }  // namespace
 
-StudyLock::StudyLock(const std::string& output_folder) {
-  const fs::path folder = fs::path(output_folder) / "journal";
+StudyLock::StudyLock(const std::string& output_folder, const std::string& file) {
+  const fs::path folder = journal_folder(output_folder);
   std::error_code code;
   fs::create_directories(folder, code);
-  path_ = (folder / "lock").string();
-  Attempt found = attempt();
-  while (found == Attempt::again) found = attempt();
-  if (found == Attempt::held) return;
-  close(descriptor_);
-  const Owner owner = owner_in(text_of(path_));
-  std::string cure = "wait until it has ended, or choose another folder with --out DIR";
-  if (!has_locks_) cure += "; this folder has no locks: where that process no longer runs, remove " + path_;
-  throw InputError({output_folder},
-                   "another study works in this folder" +
-                       (owner.pid > 0 ? ", process " + std::to_string(owner.pid) + " on " + owner.host : std::string()),
-                   cure);
+  path_ = (folder / file).string();
+  if (!take(path_)) refuse(output_folder, path_);
+  try {
+    exclude_others(output_folder);
+  } catch (...) {
+    unlink(path_.c_str());
+    throw;
+  }
+}
+
+/// Of two that begin at once each makes its file before it looks, so that one of them at least sees the other.
+void StudyLock::exclude_others(const std::string& output_folder) const {
+  const std::string own = division_of(fs::path(path_).filename().string());
+  std::error_code code;
+  for (fs::directory_iterator entry(journal_folder(output_folder), code), end; !code && entry != end;
+       entry.increment(code)) {
+    const std::string file = entry->path().filename().string(), other = division_of(file);
+    const bool is_lock = file == of_study || entry->path().extension() == ".lock";
+    if (is_lock && !own.empty() && !other.empty() && other != own && !holder_of(output_folder, file).empty())
+      refuse(output_folder, entry->path());
+  }
 }
 
 StudyLock::~StudyLock() {
-  if (has_locks_ || text_of(path_) == this_process().text()) unlink(path_.c_str());
-  close(descriptor_);
+  if (text_of(path_) == this_process().text()) unlink(path_.c_str());
 }
 
-StudyLock::Attempt StudyLock::attempt() {
-  if (descriptor_ >= 0) close(descriptor_);
-  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  const bool is_new = descriptor_ >= 0;
-  if (!is_new && errno == EEXIST) descriptor_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor_ < 0 && errno == ENOENT && fs::exists(fs::path(path_).parent_path())) return Attempt::again;
-  if (descriptor_ < 0)
-    throw InputError({path_}, "cannot be written",
-                     "give rights or room to write there, or choose another folder with --out DIR");
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) return Attempt::other;
-    has_locks_ = false;
-    return attempt_without_locks(is_new);
-  }
-  struct stat locked, there;
-  if (fstat(descriptor_, &locked) != 0 || stat(path_.c_str(), &there) != 0 || locked.st_ino != there.st_ino)
-    return Attempt::again;  // its owner removed it meanwhile
-  write_owner();
-  return Attempt::held;
-}
-
-StudyLock::Attempt StudyLock::attempt_without_locks(bool is_new) {
-  if (is_new) {
-    write_owner();
-    return text_of(path_) == this_process().text() ? Attempt::held
-                                                   : Attempt::other;  // unless it was taken for a left one
-  }
-  std::string text = text_of(path_);
-  while (text.empty() && is_young(path_)) {  // its owner may be about to write
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    text = text_of(path_);
-  }
-  return has_ended(text) && take_from_ended(path_, text) ? Attempt::again : Attempt::other;
-}
-
-void StudyLock::write_owner() const {
-  const std::string text = this_process().text();
-  if (ftruncate(descriptor_, 0) != 0 || write(descriptor_, text.data(), text.size()) < 0)
-    throw InputError({path_}, "cannot be written", "make room on the disk, or choose another folder with --out DIR");
+std::string holder_of(const std::string& output_folder, const std::string& file) {
+  const fs::path path = journal_folder(output_folder) / file;
+  const std::string text = text_of(path);
+  if (has_ended(text) || !fs::exists(path)) return "";
+  const Owner owner = owner_in(text);
+  return "process " + std::to_string(owner.pid) + " on " + owner.host;
 }
 
 }  // namespace upbead

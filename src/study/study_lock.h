@@ -1,31 +1,33 @@
-// One study at a time in a folder.
+// One process at a time has a study's folder, or a part of the study.
 #pragma once
 
 #include <string>
 
 namespace upbead {
 
-/// Holds a folder for a study. Where the file system has locks, flock(2) of a file in it, which ends with the process,
-/// even a killed one, on any machine that shares the folder. Elsewhere that file itself, which names its process: one
-/// that has ended on this machine holds nothing; of another machine nobody knows.
+/// A file in the folder's `journal`, which names this process. It comes into being whole, by link(2), of which one
+/// alone succeeds on network file systems, too; locks of the file system (flock) may hang there. A process that has
+/// ended on this machine holds nothing; of another machine nobody knows, and the message says which file to remove.
 class StudyLock {
  public:
-  /// Throws InputError where another study holds the folder.
-  explicit StudyLock(const std::string& output_folder);
+  static constexpr const char* of_study = "lock";        ///< the file of a whole study: it excludes all parts
+  static constexpr const char* of_merge = "merge.lock";  ///< excludes nothing but another one
+
+  /// `file`: one of these, or that of a part, which excludes the whole study and parts of another number of parts.
+  /// Throws InputError where another process has it; never waits.
+  explicit StudyLock(const std::string& output_folder, const std::string& file = of_study);
   /// Removes the file.
   ~StudyLock();
   StudyLock(const StudyLock&) = delete;
   StudyLock& operator=(const StudyLock&) = delete;
 
  private:
-  enum class Attempt { held, other, again };
-  Attempt attempt();
-  Attempt attempt_without_locks(bool is_new);
-  void write_owner() const;
+  void exclude_others(const std::string& output_folder) const;
 
   std::string path_;
-  bool has_locks_ = true;
-  int descriptor_ = -1;
 };
+
+/// "process 71 on node3"; "" where no such file is there, or its process has certainly ended.
+std::string holder_of(const std::string& output_folder, const std::string& file);
 
 }  // namespace upbead

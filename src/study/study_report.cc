@@ -30,18 +30,18 @@ std::string command_of(const Study& study, const StudyRun& run) {
 template <class Visitor>
 void for_each_failure(const Study& study, const Results& results, Visitor visit) {
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (!results[i]->done) visit(i, study.runs[i], results[i]->message);
+    if (results[i] && !results[i]->done) visit(i, study.runs[i], results[i]->message);
 }
 
 int count(const Results& results, Shared shared) {
   return static_cast<int>(std::count_if(results.begin(), results.end(), [shared](const auto& result) {
-    return result->done && result->shared == shared;
+    return result && result->done && result->shared == shared;
   }));
 }
 
 double longest(const Results& results) {
   double seconds = 0.;
-  for (const auto& result : results) seconds = std::max(seconds, result->seconds);
+  for (const auto& result : results) seconds = std::max(seconds, result ? result->seconds : 0.);
   return seconds;
 }
 
@@ -75,7 +75,7 @@ Json skipped(const Results& results) {
 std::map<std::string, int> reasons_of_own(const Results& results) {
   std::map<std::string, int> reasons;
   for (const auto& result : results)
-    if (!result->why_own.empty()) ++reasons[result->why_own];
+    if (result && !result->why_own.empty()) ++reasons[result->why_own];
   return reasons;
 }
 
@@ -92,6 +92,7 @@ struct InRuns {
 std::vector<InRuns> in_runs(const Results& results, Findings Doubts::*which) {
   std::vector<InRuns> list;
   for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i]) continue;
     std::set<std::string> of_run;
     for (const auto& [name, text] : results[i]->doubts.*which) {
       if (!of_run.insert(name).second) continue;
@@ -127,6 +128,28 @@ std::string in_words(const std::string& head, const std::vector<InRuns>& found, 
   for (const InRuns& one : found)
     text += head + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) +
             " runs, first in run " + std::to_string(one.first) + ": " + one.text + "\n";
+  return text;
+}
+
+/// "3, 5, 8 and 2 more".
+std::string listed(const std::vector<int>& runs) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < std::min(runs.size(), n_listed); ++i) words.push_back(std::to_string(runs[i]));
+  return join(words, ", ") + (runs.size() > n_listed ? " and " + std::to_string(runs.size() - n_listed) + " more" : "");
+}
+
+std::string in_words(const std::vector<MissingRuns>& missing) {
+  std::string text;
+  std::size_t n = 0;
+  for (const MissingRuns& of : missing) {
+    if (n++ == n_listed) break;
+    text += "missing     " + (of.part.empty() ? "" : "part " + of.part + ": ") + std::to_string(of.runs.size()) +
+            " runs (" + listed(of.runs) + ")" + (of.holder.empty() ? "" : ", at which " + of.holder + " works") +
+            "\n            " + of.command + "\n";
+  }
+  if (missing.size() > n_listed)
+    text +=
+        "            and " + std::to_string(missing.size() - n_listed) + " more parts, see missing in summary.json\n";
   return text;
 }
 
@@ -180,7 +203,7 @@ void add_read(const Study& study, const Results& results, std::size_t read, std:
   TableColumn run{"read/" + path + "/run", "", "number of the run", {}, {}};
   TableColumn value{"read/" + path + "/value", "", path + " of summary.json (SI)", {}, {}};
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i]->done && results[i]->values[read]) {
+    if (results[i] && results[i]->done && results[i]->values[read]) {
       run.numbers.push_back(static_cast<double>(i));
       value.numbers.push_back(*results[i]->values[read]);
     }
@@ -197,7 +220,7 @@ void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
                     {},
                     {}};
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i]->error_estimate) {
+    if (results[i] && results[i]->error_estimate) {
       run.numbers.push_back(static_cast<double>(i));
       value.numbers.push_back(*results[i]->error_estimate);
     }
@@ -211,22 +234,26 @@ void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
 std::string study_csv(const Study& study, const Results& results) {
   const bool several = study.cases.size() > 1, sobol = has_matrices(study),
              estimated = std::any_of(results.begin(), results.end(),
-                                     [](const auto&r) { return r->error_estimate.has_value(); });
+                                     [](const auto&r) { return r && r->error_estimate.has_value(); });
   std::string text = several ? "run,case" : "run";
   if (sobol) text += ",point,matrix";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);
   text += std::string(",status,message,checks_failing,warnings") + (estimated ? ",error_estimate\n" : "\n");
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const RunResult& result = *results[i];
+    const RunResult result = results[i].value_or(RunResult{});
     text += std::to_string(i);
     if (several) text += "," + csv_cell(case_of(study, study.runs[i]));
     if (sobol) text += "," + std::to_string(study.runs[i].point) + "," + csv_cell(study.runs[i].matrix);
     for (const auto& [key, value] : study.runs[i].varied) text += "," + csv_cell(plain(value));
     for (std::size_t read = 0; read < study.reads.size(); ++read)
       text += "," + (result.done && result.values[read] ? number_text(*result.values[read]) : std::string());
-    text += std::string(",") + (result.done ? "done" : "failed") + "," + csv_cell(result.message) + "," +
-            csv_cell(names_of(result.doubts.failing)) + "," + csv_cell(names_of(result.doubts.warnings));
+    text += std::string(",") +
+            (result.done  ? "done"
+             : results[i] ? "failed"
+                          : "missing") +
+            "," + csv_cell(result.message) + "," + csv_cell(names_of(result.doubts.failing)) + "," +
+            csv_cell(names_of(result.doubts.warnings));
     if (estimated) text += "," + (result.error_estimate ? number_text(*result.error_estimate) : std::string());
     text += "\n";
   }
@@ -234,13 +261,14 @@ std::string study_csv(const Study& study, const Results& results) {
 }
 
 std::string study_h5(const Study& study, const Results& results) {
-  TableColumn number{"runs/run", "", "number of the run", {}, {}}, done{"runs/done", "", "1: done, 0: failed", {}, {}};
+  TableColumn number{"runs/run", "", "number of the run", {}, {}},
+      done{"runs/done", "", "1: done, 0: failed or missing", {}, {}};
   TableColumn file{"runs/case", "", "", {}, {}}, message{"runs/message", "", "", {}, {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
     number.numbers.push_back(static_cast<double>(i));
-    done.numbers.push_back(results[i]->done ? 1. : 0.);
+    done.numbers.push_back(results[i] && results[i]->done ? 1. : 0.);
     file.texts.push_back(case_of(study, study.runs[i]));
-    message.texts.push_back(results[i]->message);
+    message.texts.push_back(results[i] ? results[i]->message : "missing");
   }
   std::vector<TableColumn> columns{number, done, file, message};
   add_estimates(results, columns);
@@ -252,7 +280,11 @@ std::string study_h5(const Study& study, const Results& results) {
 
 int n_failed(const Results& results) {
   return static_cast<int>(
-      std::count_if(results.begin(), results.end(), [](const auto& result) { return !result->done; }));
+      std::count_if(results.begin(), results.end(), [](const auto& result) { return result && !result->done; }));
+}
+
+int n_results(const Results& results) {
+  return static_cast<int>(std::count_if(results.begin(), results.end(), [](const auto& r) { return r.has_value(); }));
 }
 
 std::string to_json(const Study& study, const Results& results, const StudyAccount& account) {
@@ -260,7 +292,11 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["cases"] = study.cases;
   json["varied"] = study.keys;
   json["read"] = study.reads;
-  json["runs"] = results.size();
+  if (!account.part.empty()) json["part"] = account.part;
+  json["runs"] = account.part.empty() ? static_cast<int>(results.size()) : n_results(results);
+  json["missing"] = Json::array();
+  for (const MissingRuns& of : account.missing)
+    json["missing"].push_back({{"part", of.part}, {"runs", of.runs}, {"works", of.holder}, {"command", of.command}});
   json["failed"] = failures(study, results);
   json["checks"] = to_json(in_runs(results, &Doubts::failing), "failing");
   json["warnings"] = to_json(in_runs(results, &Doubts::warnings), "runs");
@@ -271,7 +307,7 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["solved_alone"] = Json::array();
   for (const auto& [why, n] : reasons_of_own(results)) json["solved_alone"].push_back({{"runs", n}, {"why", why}});
   double work = 0.;
-  for (const auto& result : results) work += result->seconds;
+  for (const auto& result : results) work += result ? result->seconds : 0.;
   json["timing"] = {{"processes", account.processes},
                     {"total", account.seconds},
                     {"all_runs", work},
@@ -282,25 +318,29 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
 
 std::string describe(const Study& study, const Results& results, const StudyAccount& account) {
   std::string text = study.title.empty() ? "" : study.title + "\n";
-  text += "study       " + std::to_string(results.size()) + " runs";
+  text += account.part.empty() ? "study       " + std::to_string(results.size()) + " runs"
+                               : "part        " + account.part + ", " + std::to_string(n_results(results)) + " runs";
   if (account.resumed > 0) text += ", " + std::to_string(account.resumed) + " of them done before";
   text += ", " + std::to_string(n_failed(results)) + " failed\n";
   if (account.lost > 0)
     text += "lost        " + std::to_string(account.lost) + " processes were ended while they computed a run\n";
+  text += in_words(account.missing);
   const auto items = skipped(results);
   for (const Json& item : items)
     text += "skipped     " + item["what"].get<std::string>() + ": " + item["why"].get<std::string>() + "\n";
   for (const auto& [why, n] : reasons_of_own(results))
     text += "alone       " + std::to_string(n) + " runs were solved by themselves: " + why + "\n";
-  std::size_t n = 0;
+  std::size_t n_told = 0;
   for_each_failure(study, results, [&](std::size_t i, const StudyRun& run, const std::string& message) {
-    if (n++ < n_listed)
+    if (n_told++ < n_listed)
       text +=
           "failed      run " + std::to_string(i) + ": " + message + "\n            " + command_of(study, run) + "\n";
   });
-  if (n > n_listed) text += "            and " + std::to_string(n - n_listed) + " more, see failed in summary.json\n";
-  text += in_words("check fails ", in_runs(results, &Doubts::failing), results.size());
-  text += in_words("warning     ", in_runs(results, &Doubts::warnings), results.size());
+  if (n_told > n_listed)
+    text += "            and " + std::to_string(n_told - n_listed) + " more, see failed in summary.json\n";
+  const auto n = static_cast<std::size_t>(n_results(results));
+  text += in_words("check fails ", in_runs(results, &Doubts::failing), n);
+  text += in_words("warning     ", in_runs(results, &Doubts::warnings), n);
   return text + "time        " + significant(account.seconds) + " s on " + std::to_string(account.processes) +
          (account.processes == 1 ? " process" : " processes") + ", longest run " + significant(longest(results)) +
          " s\n";

@@ -4,14 +4,12 @@
 usage: study_test.py PROGRAM CASES_FOLDER
 """
 
-import csv
 import json
 import os
 import pathlib
 import pty
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
@@ -19,98 +17,10 @@ import h5py
 import numpy as np
 
 from program import CASES, PROGRAM, ProgramTest, main, upbead
-
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
-from section_scene import scene  # noqa: E402
-
-SMALL = scene(("cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.3, grading = 4"), ("peak = 1e6", "peak = 8e6"),
-              ("end = 0.6", "end = 0.3"), *2 * [(", frequencies = [1, 10]", "")]) + "[sliding]\nsubmerged_weight = 4.3e6\n"
-
-STUDY = """title = "small"
-case = "small.toml"
-read = ["response.shear_to_force_ratio", "sliding.sliding_history", "response.arm"]
-[vary."regions.seabed.shear_modulus"]
-from = 20e6
-to = 60e6
-n = 3
-[vary."mesh.parameters.mound_height"]
-values = [5, 6]
-[vary."sliding.friction"]
-values = [0.5, 0.6]
-[follow."regions.mound.shear_modulus"]
-key = "regions.seabed.shear_modulus"
-factor = 1.5
-"""
-
-# two solutions, four rows
-SHORT = """case = "small.toml"
-read = ["response.shear_to_force_ratio"]
-[vary."mesh.parameters.mound_height"]
-values = [5, 6]
-[vary."sliding.friction"]
-values = [0.5, 0.6]
-"""
-
-RANDOM = """case = "small.toml"
-sample = "random"
-n = {n}
-[vary."regions.seabed.shear_modulus"]
-distribution = "log_normal"
-mean = 30e6
-cov = 0.3
-"""
+from studies import RANDOM, SHORT, SMALL, STUDY, StudyTest, preloaded
 
 
-# A disk on which writing to a journal takes long, or that has no locks
-DISK = """#define _GNU_SOURCE
-#include <dlfcn.h>
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-static int is(const char* mode) { const char* set = getenv("DISK"); return set && !strcmp(set, mode); }
-int flock(int fd, int op) {
-  if (is("no_locks")) { errno = ENOLCK; return -1; }
-  return ((int (*)(int, int))dlsym(RTLD_NEXT, "flock"))(fd, op);
-}
-ssize_t write(int fd, const void* bytes, size_t n) {
-  if (n > 8 && !memcmp(bytes, "{\\"run\\":", 7) && is("slow")) usleep(150000);
-  return ((ssize_t (*)(int, const void*, size_t))dlsym(RTLD_NEXT, "write"))(fd, bytes, n);
-}
-"""
-
-
-def preloaded(folder):
-    (folder / "disk.c").write_text(DISK)
-    subprocess.run(["gcc", "-shared", "-fPIC", "-o", "disk.so", "disk.c", "-ldl"], cwd=folder, check=True)
-    return str(folder / "disk.so")
-
-
-class Study(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        (self.folder / "small.toml").write_text(SMALL)
-        (self.folder / "study.toml").write_text(STUDY)
-
-    def study(self, *arguments, code=0, jobs="1", **options):
-        """Runs the study on so many processes; None: on as many as the program chooses."""
-        words = [] if jobs is None else ["--jobs", jobs]
-        done = upbead("study", "study.toml", *arguments, *words, cwd=self.folder, **options)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def rows(self, out="results/study"):
-        with open(self.folder / out / "study.csv", newline="") as file:
-            return list(csv.DictReader(file))
-
-    def table(self, out):
-        """All results of a study: the bytes of study.csv, and all datasets of study.h5."""
-        found = {"csv": (self.folder / out / "study.csv").read_bytes()}
-        with h5py.File(self.folder / out / "study.h5") as file:
-            file.visititems(lambda name, data: found.update({name: data[()].tobytes() if data.dtype.kind == "f"
-                            else [*data.asstr()]}) if isinstance(data, h5py.Dataset) else None)
-        return found
-
+class Study(StudyTest):
     def test_grid_is_one_table(self):
         summary = json.loads(self.study("--json", jobs=None).stdout)
         rows = self.rows()
@@ -208,9 +118,6 @@ class Study(ProgramTest):
             self.assertEqual(file["read/response.arm/run"][:].tolist(), [0, 1, 8, 9])
             self.assertEqual(file["runs/done"][:].sum(), 4)
 
-    def journal_lines(self, out):
-        return sum(max(0, len(path.read_text().splitlines()) - 1) for path in (self.folder / out / "journal").glob("*.jsonl"))
-
     def kill_in_the_middle(self, n, how, group, *arguments):
         """Starts a study of n runs and ends it after some of them."""
         (self.folder / "study.toml").write_text(RANDOM.format(n=n))
@@ -300,23 +207,6 @@ class Study(ProgramTest):
         self.assertIn("on 2 processes", done.stdout)
         self.assertEqual(len(self.rows()), 4)
 
-    def processes_of(self, process):
-        """The workers of a study that runs."""
-        try:
-            return [int(n) for n in pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
-        except FileNotFoundError:
-            return []
-
-    def start(self, n, *arguments, out="killed", **options):
-        """Starts a study of n runs and waits until some are done."""
-        (self.folder / "study.toml").write_text(RANDOM.format(n=n))
-        process = subprocess.Popen([PROGRAM, "study", "study.toml", "--out", out, *arguments], cwd=self.folder, text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
-        while self.journal_lines(out) < 3:
-            self.assertIsNone(process.poll(), "it ended too soon")
-            time.sleep(0.01)
-        return process
-
     def test_a_killed_process_costs_its_run_alone(self):
         process = self.start(24, "--jobs", "2", "--json")
         os.kill(self.processes_of(process)[0], signal.SIGKILL)
@@ -364,14 +254,13 @@ class Study(ProgramTest):
         self.assertEqual(json.loads(self.study("--out", "killed", "--json").stdout)["resumed"], 40)
 
     @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "a sanitizer must be loaded before any other library")
-    def test_neither_slow_disks_nor_missing_locks_let_a_second_one_in(self):
+    def test_neither_slow_disks_nor_missing_links_let_a_second_one_in(self):
         library = preloaded(self.folder)
-        for mode in ("slow", "no_locks"):
+        for mode in ("slow", "no_links"):
             environment = {**os.environ, "LD_PRELOAD": library, "DISK": mode}
             first = self.start(12, "--jobs", "2", out=mode, env=environment)
             done = self.study("--out", mode, code=1, env=environment)
             self.assertIn("another study works in this folder", done.stderr)
-            self.assertEqual("remove" in done.stderr, mode == "no_locks", done.stderr)
             errors = first.communicate(timeout=300)[1]
             self.assertEqual(first.returncode, 0, errors)
             self.assertEqual(self.journal_lines(mode), 12)

@@ -21,7 +21,7 @@ class JournalFile : public testing::Test {
     fs::create_directories(folder_);
     study_.runs.resize(n);
     study_.fingerprint = 0xfedcba9876543210U;
-    Journal journal(folder_.string(), study_, 0);
+    Journal journal(folder_.string(), study_, "0");
     for (int run = 0; run < n; ++run) journal.add(run, result(run));
     std::ifstream stream(file());
     whole_ = {std::istreambuf_iterator<char>(stream), {}};
@@ -109,7 +109,7 @@ TEST_F(JournalFile, OfAnotherStudyIsRefused) {
 }
 
 TEST_F(JournalFile, BelongsToOneProcess) {
-  Journal second(folder_.string(), study_, 0);
+  Journal second(folder_.string(), study_, "0");
   second.add(1, result(1));
   EXPECT_TRUE(fs::exists(folder_ / "journal" / "1-0.jsonl"));
   EXPECT_EQ(number_of(read(whole_)), n);

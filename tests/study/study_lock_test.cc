@@ -1,5 +1,5 @@
-// Claim: a folder has one study at a time, also on a file system without locks; what a process has left that was
-// killed, at whatever moment, keeps nobody out.
+// Claim: a folder has one study at a time, or parts of one division, each once; also on a file system without hard
+// links, and none waits for a lock of the file system. What a process has left that was killed keeps nobody out of it.
 #include "study/study_lock.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,14 +18,20 @@
 #include "upbead/base/error.h"
 
 namespace {
-bool has_locks = true;
+bool has_links = true;
 }
 
-/// Stands for the one of the C library: of a file system with locks, or of one without.
-extern "C" int flock(int descriptor, int operation) {
-  if (has_locks) return static_cast<int>(syscall(SYS_flock, descriptor, operation));
-  errno = ENOLCK;
+/// Stands for the one of the C library: of a file system with hard links, or of one without.
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (has_links) return static_cast<int>(syscall(SYS_link, from, to));
+  errno = EPERM;
   return -1;
+}
+
+/// A lock of a file system may hang; HDF5's files, which are read under one, are no folders.
+extern "C" int flock(int descriptor, int operation) noexcept {
+  if ((operation & LOCK_EX) != 0) std::abort();
+  return static_cast<int>(syscall(SYS_flock, descriptor, operation));
 }
 
 namespace upbead::test {
@@ -36,10 +43,10 @@ class StudyLockTest : public testing::TestWithParam<bool> {
  protected:
   StudyLockTest() : folder_(fs::temp_directory_path() / ("upbead-lock-" + std::to_string(getpid()))) {
     fs::remove_all(folder_);
-    has_locks = GetParam();
+    has_links = GetParam();
   }
   ~StudyLockTest() override {
-    has_locks = true;
+    has_links = true;
     fs::remove_all(folder_);
   }
 
@@ -53,13 +60,23 @@ class StudyLockTest : public testing::TestWithParam<bool> {
     fs::create_directories(file().parent_path());
     std::ofstream(file()) << text;
   }
-  std::string refusal() const {
+  std::string refusal(const std::string& of = StudyLock::of_study) const {
     try {
-      const StudyLock lock(folder());
+      const StudyLock lock(folder(), of);
       return "";
     } catch (const InputError& error) {
       return error.what();
     }
+  }
+  /// What a process writes into its lock.
+  std::string own() const {
+    const StudyLock lock(folder());
+    return text();
+  }
+  /// The same of a process of that number that cannot be: the largest is 4194304.
+  std::string ended() const {
+    const std::string text = own();
+    return "4194305 1 " + text.substr(text.find(' ', text.find(' ') + 1) + 1);
   }
 
   fs::path folder_;
@@ -83,62 +100,80 @@ TEST_P(StudyLockTest, OfAProcessThatWasKilledKeepsNobodyOut) {
     const StudyLock lock(folder());
     _exit(0);  // without its destructor
   }
-  waitpid(child, nullptr, 0);
+  siginfo_t how;
+  waitid(P_PID, static_cast<id_t>(child), &how, WEXITED | WNOWAIT);  // it stays as a zombie
   EXPECT_NE(text(), "");
   EXPECT_EQ(refusal(), "");
-  for (const std::string& left : {std::string(), std::string("12"), std::string("no owner at all\n")}) {
-    leave(left);
-    fs::last_write_time(file(), fs::file_time_type::clock::now() - std::chrono::minutes(2));
-    EXPECT_EQ(refusal(), "") << left;
-  }
+  waitpid(child, nullptr, 0);
+  leave(ended());
+  EXPECT_EQ(refusal(), "");
+  EXPECT_FALSE(fs::exists(file()));
 }
 
-TEST_P(StudyLockTest, OfAProcessThatMayRunElsewhereIsToldWhereThereAreNoLocks) {
-  std::string own;
-  {
-    const StudyLock lock(folder());
-    own = text();
+TEST_P(StudyLockTest, OfAProcessThatMayRunIsToldWithTheFileToRemove) {
+  const std::string text = own(), host = text.substr(text.rfind(' ') + 1);
+  const std::size_t system = text.find(' ', text.find(' ') + 1) + 1;
+  for (const std::string& left : {std::string("1 2 another-bootpid:[1] elsewhere\n"), std::string(), std::string("12"),
+                                  std::string("no owner at all\n")}) {
+    leave(left);
+    EXPECT_NE(refusal().find("remove " + file().string()), std::string::npos) << left;
   }
-  const std::size_t system = own.find(' ', own.find(' ') + 1) + 1, host = own.rfind(' ') + 1;
-  leave("1 2 " + std::string("another-boot") + "pid:[1] elsewhere\n");
-  EXPECT_EQ(refusal().find("remove " + file().string()) != std::string::npos, !GetParam());
-  leave("1 2 another-bootpid:[1] " + own.substr(host));
+  leave("1 2 another-bootpid:[1] " + host);
   EXPECT_EQ(refusal(), "") << "this machine has been started anew since";
-  leave(own.substr(0, own.find(' ') + 1) + "7 " + own.substr(system));
+  leave(text.substr(0, text.find(' ') + 1) + "7 " + text.substr(system));
   EXPECT_EQ(refusal(), "") << "another process of that number";
 }
 
+TEST_P(StudyLockTest, OfAPartExcludesThatPartAndOtherDivisions) {
+  const StudyLock lock(folder(), "part-3-of-8.lock");
+  EXPECT_EQ(refusal("part-4-of-8.lock"), "");
+  EXPECT_NE(refusal("part-3-of-8.lock").find("part-3-of-8 of the study is at work"), std::string::npos);
+  EXPECT_NE(refusal("part-3-of-80.lock"), "");
+  EXPECT_NE(refusal("part-1-of-2.lock"), "");
+  EXPECT_NE(refusal(), "");
+  EXPECT_FALSE(fs::exists(file())) << "what is refused leaves no file";
+  EXPECT_EQ(holder_of(folder(), "part-3-of-8.lock").rfind("process " + std::to_string(getpid()) + " on ", 0), 0U);
+  EXPECT_EQ(holder_of(folder(), "part-4-of-8.lock"), "");
+}
+
+TEST_P(StudyLockTest, OfAStudyExcludesParts) {
+  const StudyLock lock(folder());
+  EXPECT_NE(refusal("part-3-of-8.lock"), "");
+}
+
+TEST_P(StudyLockTest, OfAnEndedPartDoesNotExcludeOthers) {
+  const std::string text = ended();
+  std::ofstream(folder_ / "journal" / "part-3-of-8.lock") << text;
+  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(refusal("part-1-of-2.lock"), "");
+  EXPECT_EQ(refusal("part-3-of-8.lock"), "");
+}
+
 TEST_P(StudyLockTest, IsHeldByOneOfManyThatFindOneLeft) {
-  leave("1 2 another-bootpid:[1] x\n");
-  std::string own;
-  if (!GetParam()) {
-    fs::remove(file());
-    {
-      const StudyLock lock(folder());
-      own = text();
-    }
-    leave("4194304 1 " + own.substr(own.find(' ', own.find(' ') + 1) + 1));  // no process has that number
-  }
-  std::vector<pid_t> children;
-  for (int i = 0; i < 8; ++i)
-    if (const pid_t child = fork(); child != 0) {
-      children.push_back(child);
-    } else {
+  leave(ended());
+  int done[2], go[2];
+  ASSERT_EQ(pipe(done) | pipe(go), 0);
+  constexpr int n = 8;
+  for (int i = 0; i < n; ++i)
+    if (fork() == 0) {
+      close(go[1]);
+      char mark = 'r';
       try {
         const StudyLock lock(folder());
-        usleep(1000000);
-        _exit(0);
+        mark = 'h';
+        if (write(done[1], &mark, 1) != 1) _exit(1);
+        if (read(go[0], &mark, 1) != 0) _exit(1);  // holds it until all have tried
       } catch (const InputError&) {
-        _exit(1);
+        if (write(done[1], &mark, 1) != 1) _exit(1);
       }
+      _exit(0);
     }
-  int held = 0;
-  for (const pid_t child : children) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    held += WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 1 : 0;
-  }
-  EXPECT_EQ(held, 1);
+  std::string marks;
+  for (char mark = 0; marks.size() < n && read(done[0], &mark, 1) == 1;) marks += mark;
+  close(go[1]);
+  for (int i = 0; i < n; ++i) wait(nullptr);
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), 'h'), 1) << marks;
+  for (const int end : {done[0], done[1], go[0]}) close(end);
 }
 
 INSTANTIATE_TEST_SUITE_P(OnDisks, StudyLockTest, testing::Bool());
