@@ -93,15 +93,20 @@ void fail_lost(const Pieces& pieces, Results& results) {
 /// Where a launcher has started the parts, the first process that finds all results joins them. Others end well
 /// whatever has failed, as launchers end all processes once one ends otherwise.
 int finish_launched(const Study& study, const JournalsRead& read, const Share& share, const StudyOptions& options,
-                    const Stopwatch& since_start) {
-  const std::string once = (journal_folder(options.out) / (share.launch->id + merged_ending)).string();
+                    StudyAccount account, const Stopwatch& since_start) {
+  const std::string id = share.launch->id, once = (journal_folder(options.out) / (id + merged_ending)).string();
   const int done = n_results(read.results), n = static_cast<int>(study.runs.size());
-  const bool can_join = done == n && !share.launch->id.empty();
-  if (can_join && is_first(once)) return merge(study, read, options, since_start);
-  if (!can_join)
-    std::cerr << "upbead: part " << share.part->text() << " has ended; " << done << " of " << n
-              << " runs of the study have results" << (done == n ? ": " : "; once all have, unless it is done then: ")
-              << command_of(options, " --merge") << "\n";
+  if (done == n && !id.empty() && is_first(once)) {
+    account.resumed.reset();
+    account.processes = share.part->of * std::max(1, options.jobs);
+    return merge(study, read, options, account, since_start);
+  }
+  std::cerr << "upbead: part " << share.part->text() << " has ended; " << done << " of " << n
+            << " runs of the study have results"
+            << (done < n     ? "; once all have, unless it is done then: "
+                : id.empty() ? ": "
+                             : ", which another part joins, or else: ")
+            << command_of(options, " --merge") << "\n";
   return 0;
 }
 
@@ -109,7 +114,7 @@ int finish_launched(const Study& study, const JournalsRead& read, const Share& s
 int finish(const Study& study, const Pieces& pieces, const Share& share, const StudyOptions& options,
            StudyAccount& account, const Stopwatch& since_start) {
   JournalsRead read = read_journals(options.out, study);
-  if (share.launch) return finish_launched(study, read, share, options, since_start);
+  if (share.launch) return finish_launched(study, read, share, options, account, since_start);
   fail_lost(pieces, read.results);
   account.seconds = since_start.seconds();
   if (!share.part) return write_tables(study, read.results, options, account);

@@ -79,19 +79,18 @@ int write_tables(const Study& study, const Results& results, const StudyOptions&
   return n_failed(results) > 0 || !account.missing.empty() ? exit_failed_runs : 0;
 }
 
-int merge(const Study& study, const JournalsRead& read, const StudyOptions& options, const Stopwatch& since_start) {
-  if (n_results(read.results) == 0)
+int merge(const Study& study, const JournalsRead& read, const StudyOptions& options, StudyAccount account,
+          const Stopwatch& since_start) {
+  const int done = n_results(read.results), n = static_cast<int>(read.results.size());
+  if (done == 0)
     throw InputError({options.out}, "holds no result of the study yet",
                      "compute them, in parts: " + command_of(options, " --part K/N"));
-  StudyAccount account;
   account.missing = missing_runs(study, read.results, options);
-  account.resumed = n_results(read.results);
   account.torn = read.torn;
   account.lost = read.lost;
   account.seconds = since_start.seconds();
-  if (!account.missing.empty())
-    std::cerr << "upbead: " << read.results.size() - static_cast<std::size_t>(account.resumed) << " of "
-              << read.results.size() << " runs have no result; the tables name them missing\n";
+  if (done < n)
+    std::cerr << "upbead: " << n - done << " of " << n << " runs have no result; the tables name them missing\n";
   return write_tables(study, read.results, options, account);
 }
 
@@ -99,8 +98,10 @@ int merge(const StudyOptions& options, const Stopwatch& since_start) {
   const Study study = read_study_of(options);
   note_interrupts();
   try {
-    return merge(study, options.follow ? followed(study, options) : read_journals(options.out, study), options,
-                 since_start);
+    const JournalsRead read = options.follow ? followed(study, options) : read_journals(options.out, study);
+    StudyAccount account;
+    account.resumed = n_results(read.results);
+    return merge(study, read, options, account, since_start);
   } catch (const Interrupted& interrupted) {
     std::cerr << "upbead: interrupted; the parts go on, and the same command follows them\n";
     return exit_signal + interrupted.signal();

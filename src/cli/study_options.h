@@ -34,7 +34,8 @@ int write_tables(const Study& study, const Results& results, const StudyOptions&
 /// Joins what the journals of all parts hold; with --follow once all runs have results.
 int merge(const StudyOptions& options, const Stopwatch& since_start);
 
-/// The same with the study and its results read.
-int merge(const Study& study, const JournalsRead& read, const StudyOptions& options, const Stopwatch& since_start);
+/// The same with the study and its results read. `account`: how they were computed.
+int merge(const Study& study, const JournalsRead& read, const StudyOptions& options, StudyAccount account,
+          const Stopwatch& since_start);
 
 }  // namespace upbead

@@ -88,10 +88,10 @@ struct StudyAccount {
   std::string part;                  ///< "3/100", of which results are told; "" of a whole study
   std::vector<MissingRuns> missing;  ///< of a whole study
   int processes = 1;
-  int resumed = 0;      ///< runs that already had a result
-  int torn = 0;         ///< lines of the journals that were not whole, so that their runs were done again
-  int lost = 0;         ///< processes that were ended while they computed a run
-  double seconds = 0.;  ///< wall time of this call
+  std::optional<int> resumed = 0;  ///< runs that already had a result; none where only other processes know
+  int torn = 0;                    ///< lines of the journals that were not whole, so that their runs were done again
+  int lost = 0;                    ///< processes that were ended while they computed a run
+  double seconds = 0.;             ///< wall time of this call
 };
 
 /// study.csv: one row per run, with a header; an empty cell where a run has no number. Runs without a result are

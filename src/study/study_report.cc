@@ -300,7 +300,7 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["failed"] = failures(study, results);
   json["checks"] = to_json(in_runs(results, &Doubts::failing), "failing");
   json["warnings"] = to_json(in_runs(results, &Doubts::warnings), "runs");
-  json["resumed"] = account.resumed;
+  json["resumed"] = account.resumed ? Json(*account.resumed) : Json(nullptr);
   json["torn_lines"] = account.torn;
   json["lost_processes"] = account.lost;
   json["skipped"] = skipped(results);
@@ -320,7 +320,7 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
   std::string text = study.title.empty() ? "" : study.title + "\n";
   text += account.part.empty() ? "study       " + std::to_string(results.size()) + " runs"
                                : "part        " + account.part + ", " + std::to_string(n_results(results)) + " runs";
-  if (account.resumed > 0) text += ", " + std::to_string(account.resumed) + " of them done before";
+  if (account.resumed.value_or(0) > 0) text += ", " + std::to_string(*account.resumed) + " of them done before";
   text += ", " + std::to_string(n_failed(results)) + " failed\n";
   if (account.lost > 0)
     text += "lost        " + std::to_string(account.lost) + " processes were ended while they computed a run\n";

@@ -253,7 +253,8 @@ class Launchers(PartsTest):
     def test_mpirun_divides_a_study_and_joins_it_once(self):
         for resumed in (False, True):
             summary = json.loads(self.mpirun(3, "--json").stdout)  # one object alone
-            self.assertEqual((summary["runs"], summary["missing"]), (12, []), resumed)
+            self.assertEqual((summary["runs"], summary["missing"], summary["resumed"], summary["timing"]["processes"]),
+                             (12, [], None, 3), resumed)
             self.assertEqual(self.runs_in(), list(range(12)))
         self.assertEqual({path.name for path in (self.folder / "parts/journal").glob("*.jsonl")},
                          {f"0-part-{k}-of-3-0.jsonl" for k in (1, 2, 3)})
@@ -284,6 +285,14 @@ class Launchers(PartsTest):
         last = self.study("--out", "parts", jobs=None, env=without_launcher(SLURM_PROCID="0", **step))
         self.assertIn("upbead: part 1/2, by SLURM_PROCID", last.stderr)
         self.assertIn("study       4 runs", last.stdout)
+        self.expect_whole()
+
+    def test_a_launcher_that_does_not_name_itself_tells_how_to_join(self):
+        (self.folder / "study.toml").write_text(SHORT)
+        for rank, told in (("0", "2 of 4 runs of the study have results; once all have"),
+                           ("1", "4 of 4 runs of the study have results: upbead study study.toml --out parts --merge")):
+            done = self.study("--out", "parts", jobs=None, env=without_launcher(PMI_RANK=rank, PMI_SIZE="2"))
+            self.assertIn(told, done.stderr)
         self.expect_whole()
 
     def test_a_script_of_sbatch_alone_is_no_part(self):
