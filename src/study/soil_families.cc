@@ -78,9 +78,20 @@ bool has_run_of(const std::vector<std::vector<int>>& pieces, const std::vector<i
   });
 }
 
+/// The first number that is read and not of F_T or S, of which a family's estimate says nothing; "": none.
+std::string read_beside_shear(const Study& study) {
+  for (const std::string& path : study.reads)
+    if (!begins(path, "sliding.") && !begins(path, "response.peak_shear") && !begins(path, "response.peak_force") &&
+        path != "response.shear_to_force_ratio")
+      return path;
+  return "";
+}
+
 /// The family of a group; or why it has none.
 SoilFamilyRead family_of(const Study& study, const std::vector<int>& group, bool trusts_scripts,
                          const std::function<void(double)>& progress) {
+  if (const std::string other = read_beside_shear(study); !other.empty())
+    return {{}, "'" + other + "' is read, and one model of all soils holds F_T and S alone to the tolerance"};
   try {
     const Case problem = case_of(study, group.front());
     require_trust(problem, trusts_scripts);
@@ -108,8 +119,7 @@ bool is_of_region(const std::string& key) {
 }
 
 std::vector<std::vector<int>> soil_groups(const Study& study) {
-  const bool shares = study.share == StudyShare::soils || (study.share == StudyShare::all && !study.summaries);
-  if (!shares) return {};
+  if (study.share != StudyShare::soils) return {};
   std::map<std::string, std::vector<int>> of_rest;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const StudyRun& run = study.runs[i];

@@ -16,10 +16,9 @@ using Setting = std::pair<std::string, std::string>;
 
 /// What runs of a study may take over from each other.
 enum class StudyShare {
-  all,     ///< each stage that is the same, and one model answers many soils where whole summaries are not kept
-  soils,   ///< and also where they are, see soil_families.h
-  stages,  ///< each stage that is the same
-  none,    ///< nothing
+  all,    ///< each stage that is the same
+  soils,  ///< and one model answers many soils, see soil_families.h
+  none,   ///< nothing
 };
 
 /// One run of a study.

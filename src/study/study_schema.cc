@@ -30,7 +30,7 @@ Diagnostics read_settings(const Node& node, const KeyInfo& key, const std::strin
 const std::vector<std::pair<std::string, Sampling>> sampling_words{
     {"grid", Sampling::grid}, {"paired", Sampling::paired}, {"random", Sampling::random}, {"sobol", Sampling::sobol}};
 const std::vector<std::pair<std::string, StudyShare>> share_words{
-    {"all", StudyShare::all}, {"soils", StudyShare::soils}, {"stages", StudyShare::stages}, {"none", StudyShare::none}};
+    {"all", StudyShare::all}, {"soils", StudyShare::soils}, {"none", StudyShare::none}};
 const std::vector<std::pair<std::string, Spacing>> spacing_words{{"linear", Spacing::linear}, {"log", Spacing::log}};
 const std::vector<std::pair<std::string, DrawnBy>> distribution_words{{"uniform", DrawnBy::uniform},
                                                                       {"log_uniform", DrawnBy::log_uniform},
@@ -191,9 +191,9 @@ TableSchema<StudyTables> study_schema() {
       .doc("whether to keep the whole summary.json of each run, as runs/NUMBER.json");
   table.choice("share", &StudyTables::share, share_words)
       .doc(
-          "what runs may take over from each other; all: each stage that is the same, and one model answers many "
-          "soils, each within its error_estimate, but not where summaries = true, as it leaves numbers out; soils: "
-          "also there; stages: each stage that is the same; none: nothing, every run is meshed and solved anew");
+          "what runs may take over from each other; all: each stage that is the same; soils: besides, one model "
+          "answers many soils, F_T and S each within its error_estimate, what presses on the base less exactly; none: "
+          "nothing, every run is meshed and solved anew");
   table.key("set", &StudyTables::set).doc("values that all runs have, by key of the case");
   table.tables("vary", &StudyTables::vary, vary_schema())
       .doc(
