@@ -16,11 +16,9 @@ class SoilServer:
 
     def __init__(self, command, folder=None):
         self.pid, self.folder, self.told = os.getpid(), folder, tempfile.TemporaryFile()
-        # small dense matrices: threads of OpenBLAS wait for each other, many times longer than one computes on a busy machine
-        one = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         # a group of its own: Ctrl-C is for Python, and its child ends with its input
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.told, text=True,
-                                        encoding="utf-8", start_new_session=True, env=one | os.environ)
+                                        encoding="utf-8", start_new_session=True)
 
     def ask(self, soil):
         """The answer to {key: value}, a dict."""
