@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "base/text.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -74,7 +75,7 @@ void leave_launcher() {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
     for (const char* of_mpi : {"OMPI_", "PMIX_", "PMI_"})
-      if (text.rfind(of_mpi, 0) == 0) names.push_back(text.substr(0, text.find('=')));
+      if (starts_with(text, of_mpi)) names.push_back(text.substr(0, text.find('=')));
   }
   for (const std::string& name : names) unsetenv(name.c_str());
 }

@@ -134,6 +134,10 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return candidates.empty() ? "there are no " + kind : "known " + kind + ": " + list_of(candidates);
 }
 
+bool starts_with(std::string_view text, std::string_view beginning) {
+  return text.substr(0, beginning.size()) == beginning;
+}
+
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;

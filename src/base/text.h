@@ -30,6 +30,8 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 /// `kind` is a plural: "keys", "boundaries".
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates, const std::string& kind);
 
+bool starts_with(std::string_view text, std::string_view beginning);
+
 /// "a, b, c".
 std::string join(const std::vector<std::string>& words, const std::string& separator = ", ");
 

@@ -70,7 +70,7 @@ Examples:
   upbead reduce cases/fig2b-prototype.toml
   upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine
   upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv
-  upbead reduce cases/fig2b-prototype.toml --soils cases/study/soils.toml
+  upbead reduce cases/fig2b-prototype.toml --soils box.toml   # such as docs/soils.md has
   upbead respond results/fig2b-prototype/soils.h5 cases/fig2b-prototype-impulse.csv \
       --soil regions.seabed.shear_modulus=25e6)";
 

@@ -50,9 +50,7 @@ class SoilsOnMesh {
 };
 
 Simulation first_of(const Case& input, const std::shared_ptr<const Mesh>& mesh) {
-  const Simulation first = simulation_by(input, mesh, [](Scene scene, const std::shared_ptr<const Mesh>& on) {
-    return Simulation(with_all_cells(std::move(scene)), on);
-  });
+  const Simulation first = simulation_with_all_cells(input, mesh);
   Diagnostics reasons;
   for (const Diagnostic& reason : why_no_soils(first))
     reasons.add(input.place(reason.place.key), reason.what, "use 'upbead reduce' without --soils for each soil");

@@ -10,6 +10,15 @@ int index_of(const std::vector<ReadingLabel>& labels, const std::string& name) {
   throw std::out_of_range("the reduced model has no reading '" + name + "'");
 }
 
+ModalModel ModalModel::with_reading(int i) const {
+  ModalModel one = *this;
+  one.reading = reading.row(i);
+  one.feedthrough = feedthrough.row(i);
+  one.impulse = impulse.row(i);
+  one.reading_label = {reading_label[static_cast<std::size_t>(i)]};
+  return one;
+}
+
 void ModalModel::join_loads(int kept, int joined) {
   std::vector<int> rest;
   for (int k = 0; k < n_loads(); ++k)

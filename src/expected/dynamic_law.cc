@@ -357,16 +357,7 @@ ModalModel one_load(ModalModel model, int load) {
 
 /// The model with only the wave's load and one reading.
 ModalModel one_path(const ShearModel& model, int reading) {
-  const ModalModel& all = model.modes;
-  ModalModel one;
-  one.pole = all.pole;
-  one.load = all.load.col(model.load);
-  one.reading = all.reading.row(reading);
-  one.feedthrough = all.feedthrough.block(reading, model.load, 1, 1);
-  one.impulse = all.impulse.block(reading, model.load, 1, 1);
-  one.load_name = {all.load_name[static_cast<std::size_t>(model.load)]};
-  one.reading_label = {all.reading_label[static_cast<std::size_t>(reading)]};
-  return one;
+  return one_load(model.modes.with_reading(reading), model.load);
 }
 
 }  // namespace

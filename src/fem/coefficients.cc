@@ -90,6 +90,13 @@ Coefficients coefficients(const Region& region, const Fluid& fluid, double gravi
   return coefficients(material(region, fluid, gravity), kind_of(region));
 }
 
+std::map<std::string, Coefficients> coefficients(const std::map<std::string, Region>& regions, const Fluid& fluid,
+                                                 double gravity) {
+  std::map<std::string, Coefficients> all;
+  for (const auto& [name, region] : regions) all[name] = coefficients(region, fluid, gravity);
+  return all;
+}
+
 bool is_of_damping(Coefficient c) {
   return c == C::mass_damping_rho || c == C::stiffness_damping_G || c == C::stiffness_damping_lambda;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 
 #include "fem/impedance.h"
@@ -38,6 +39,10 @@ Coefficients coefficients(const Material& material, CellKind kind);
 
 /// Those of a region whose choices are made.
 Coefficients coefficients(const Region& region, const Fluid& fluid, double gravity);
+
+/// Those of all regions, by name.
+std::map<std::string, Coefficients> coefficients(const std::map<std::string, Region>& regions, const Fluid& fluid,
+                                                 double gravity);
 
 /// A term of a System that is a sum over its soils' constants.
 struct AffineTerm {

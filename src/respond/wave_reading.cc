@@ -5,13 +5,7 @@
 namespace upbead {
 
 ModalModel one_reading(const ModalModel& model, const std::string& name) {
-  ModalModel one = model;
-  const int i = model.index(name);
-  one.reading = model.reading.row(i);
-  one.feedthrough = model.feedthrough.row(i);
-  one.impulse = model.impulse.row(i);
-  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
-  return one;
+  return model.with_reading(model.index(name));
 }
 
 WaveReading::WaveReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {

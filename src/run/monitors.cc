@@ -5,19 +5,15 @@
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
-#include "run/soil_member.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 
 Monitors::Monitors(const Simulation& simulation) {
-  const bool has_pressures = !simulation.member() || simulation.member()->phi;
-  if (simulation.scene().limits.liquefaction && !simulation.processes() && has_pressures)
+  if (simulation.scene().limits.liquefaction && !simulation.processes())
     upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
-  if (!has_pressures)
-    why_no_pressure = why_no_strength = why_no_cyclic = why_no_fields_of_soils;
-  else if (simulation.processes())
+  if (simulation.processes())
     why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";
   else if (!std::isfinite(level))
     why_no_pressure = why_no_strength = why_no_cyclic = "no still water level is known: give [initial] water_level";

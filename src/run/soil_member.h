@@ -15,11 +15,8 @@ namespace upbead {
 struct SoilMember {
   CompiledScene compiled;
   double error = 0.;                      ///< estimated, of the history of F_T over its peak, by the basis
-  std::shared_ptr<const FieldBasis> phi;  ///< see of_bonded_members(); null: pressures are known at readings alone
+  std::shared_ptr<const FieldBasis> phi;  ///< see of_bonded_members()
   std::optional<SlipSystem> slip;  ///< with a caisson that slips as a whole; none: the scene itself is assembled for it
 };
-
-/// What such a model cannot tell, as it holds readings alone.
-inline const char* const why_no_fields_of_soils = "one model answers all soils, and holds readings alone";
 
 }  // namespace upbead

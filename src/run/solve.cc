@@ -164,9 +164,8 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   const std::optional<int> first_vectors = everywhere ? std::nullopt : std::optional(first_of_member);
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
-  const bool pressures = everywhere || simulation.member()->phi;
-  const ReductionTargets targets{
-      false, false, most_vectors, pressures, states, true, whole_tolerance(simulation), first_vectors};
+  const ReductionTargets targets{false,        false, most_vectors, true, states, true, whole_tolerance(simulation),
+                                 first_vectors};
   Reduction reduction = reduce_beside(ahead, simulation, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);

@@ -75,15 +75,6 @@ struct SomeReadingsOf {
   System names;
 };
 
-ModalModel row_of(const ModalModel& model, int i) {
-  ModalModel one = model;
-  one.reading = model.reading.row(i);
-  one.feedthrough = model.feedthrough.row(i);
-  one.impulse = model.impulse.row(i);
-  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
-  return one;
-}
-
 /// Indices of F_T and of other readings, each once.
 std::vector<int> indices_of(const std::vector<ReadingLabel>& labels, const std::vector<std::string>& names) {
   std::vector<int> list{index_of(labels, reading::shear_force)};
@@ -201,8 +192,8 @@ AnsweredSoil SoilAnswers::member(const Soil& whole, const std::vector<std::strin
   require_reduced(reduction, soil_in_words(whole));
   const SomeReadingsOf fewer(family.reduced.bonded(of_soil, nested_share), like_, measured);
   Reduction middle = reduce(fewer.system(), options_of(family, fewer.member, counted(measured.size())));
-  NestedModels nested{row_of(middle.model, 0), row_of(reduction.model, shear), reduction.n_solves + middle.n_solves, 2,
-                      family.reduced.safety};
+  NestedModels nested{middle.model.with_reading(0), reduction.model.with_reading(shear),
+                      reduction.n_solves + middle.n_solves, 2, family.reduced.safety};
   const MemberError error(nested, family.training);
   const double agreed =
       agreed_frequency(nested.middle, nested.reference, {0}, transfer_tolerance * file_.frame.tolerance,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "case/case_run.h"
 #include "fem/system_scene.h"
 #include "model/exclusions.h"
 #include "response/reduction.h"
@@ -64,10 +65,7 @@ bool wants_slip(const Simulation& first) {
 }  // namespace
 
 std::map<std::string, Coefficients> coefficients_of(const Scene& resolved) {
-  OfRegions all;
-  for (const auto& [name, region] : resolved.regions)
-    all[name] = coefficients(region, resolved.fluid, resolved.gravity);
-  return all;
+  return coefficients(resolved.regions, resolved.fluid, resolved.gravity);
 }
 
 double error_of_soils(const Simulation& member) {
@@ -77,6 +75,12 @@ double error_of_soils(const Simulation& member) {
 Scene with_all_cells(Scene given) {
   given.mesh.full_domain = true;
   return given;
+}
+
+Simulation simulation_with_all_cells(const Case& input, const std::shared_ptr<const Mesh>& mesh) {
+  return simulation_by(input, mesh, [](Scene scene, const std::shared_ptr<const Mesh>& on) {
+    return Simulation(with_all_cells(std::move(scene)), on);
+  });
 }
 
 std::vector<Diagnostic> why_no_soils(const Simulation& simulation) {
@@ -144,8 +148,7 @@ SoilModel::SoilModel(const Simulation& first, SoilFamilyFile family) : first_(fi
   family_.like.system = without_matrices(family_.like.system);
   if (family.reduced.slips()) family_.slipping = slipping_names(family);
   family_.reduced = std::move(family.reduced);
-  if (family.phi.n() > 0)
-    phi_ = std::make_shared<const FieldBasis>(of_bonded_members(std::move(family.phi), family_.reduced));
+  phi_ = std::make_shared<const FieldBasis>(of_bonded_members(std::move(family.phi), family_.reduced));
 }
 
 Simulation SoilModel::member(const Scene& given) const {

@@ -10,6 +10,7 @@
 #include "output/soil_model_file.h"
 #include "response/soil_family.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
@@ -29,6 +30,9 @@ double error_of_soils(const Simulation& member);
 
 /// A scene's given form that is resolved with all cells: soils differ in how far waves come.
 Scene with_all_cells(Scene given);
+
+/// A case's simulation with all cells; the mesh is read where it is null.
+Simulation simulation_with_all_cells(const Case& input, const std::shared_ptr<const Mesh>& mesh);
 
 /// Share of a scene's tolerance that the basis of all soils may take.
 constexpr double share_of_tolerance = 0.6;

@@ -60,9 +60,7 @@ SoilTables read_tables(const Document& document) {
 
 std::map<std::string, Coefficients> coefficients_of(const Document& document) {
   const SoilTables tables = read_tables(document);
-  std::map<std::string, Coefficients> list;
-  for (const auto& [name, region] : tables.regions) list[name] = coefficients(region, tables.fluid, tables.gravity);
-  return list;
+  return upbead::coefficients(tables.regions, tables.fluid, tables.gravity);
 }
 
 }  // namespace

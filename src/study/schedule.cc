@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/text.h"
 #include "study/parts.h"
 
 namespace upbead {
@@ -25,22 +26,18 @@ struct Likeness {
   }
 };
 
-bool begins_with(const std::string& text, const std::string& part) {
-  return text.rfind(part, 0) == 0;
-}
-
 bool ends_with(const std::string& text, const std::string& part) {
   return text.size() >= part.size() && text.compare(text.size() - part.size(), part.size(), part) == 0;
 }
 
 /// The list of the last stage that most likely stays where the key changes; none: what is only told.
 std::vector<Setting> Likeness::*list_of(const std::string& key) {
-  if (begins_with(key, "mesh")) return &Likeness::mesh;
-  if (begins_with(key, "sliding") || begins_with(key, "limits")) return nullptr;
-  if (begins_with(key, "loads"))
+  if (starts_with(key, "mesh")) return &Likeness::mesh;
+  if (starts_with(key, "sliding") || starts_with(key, "limits")) return nullptr;
+  if (starts_with(key, "loads"))
     return ends_with(key, "peak") || ends_with(key, "factor") ? &Likeness::solved : &Likeness::basis;
   for (const char* course : {"time", "accuracy", "output"})
-    if (begins_with(key, course)) return &Likeness::basis;
+    if (starts_with(key, course)) return &Likeness::basis;
   return &Likeness::system;
 }
 

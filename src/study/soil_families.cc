@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/progress.h"
+#include "base/text.h"
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "soils/soil_model.h"
@@ -24,17 +25,13 @@ namespace {
 /// Soils that may become points of the basis: enough to see the corners of a box of a dozen keys.
 constexpr std::size_t most_candidates = 24;
 
-bool begins(const std::string& text, const std::string& with) {
-  return text.compare(0, with.size(), with) == 0;
-}
-
 bool is_of_soil(const std::string& key) {
   return is_of_region(key) || key == "fluid.bulk_modulus";
 }
 
 /// Settings that change no System, but the course of loads and what is said of the answer.
 bool is_of_waves(const std::string& key) {
-  return begins(key, "loads.") || begins(key, "sliding.") || begins(key, "limits.") || key == "title";
+  return starts_with(key, "loads.") || starts_with(key, "sliding.") || starts_with(key, "limits.") || key == "title";
 }
 
 /// The settings with one kind of key, as a text.
@@ -81,8 +78,8 @@ bool has_run_of(const std::vector<std::vector<int>>& pieces, const std::vector<i
 /// The first number that is read and not of F_T or S, of which a family's estimate says nothing; "": none.
 std::string read_beside_shear(const Study& study) {
   for (const std::string& path : study.reads)
-    if (!begins(path, "sliding.") && !begins(path, "response.peak_shear") && !begins(path, "response.peak_force") &&
-        path != "response.shear_to_force_ratio")
+    if (!starts_with(path, "sliding.") && !starts_with(path, "response.peak_shear") &&
+        !starts_with(path, "response.peak_force") && path != "response.shear_to_force_ratio")
       return path;
   return "";
 }
@@ -115,7 +112,7 @@ SoilFamilyRead family_of(const Study& study, const std::vector<int>& group, bool
 }  // namespace
 
 bool is_of_region(const std::string& key) {
-  return begins(key, "regions.");
+  return starts_with(key, "regions.");
 }
 
 std::vector<std::vector<int>> soil_groups(const Study& study) {
@@ -137,9 +134,7 @@ std::vector<std::vector<int>> soil_groups(const Study& study) {
 }
 
 Simulation first_of_soils(const Study& study, const std::vector<int>& group, const std::shared_ptr<const Mesh>& mesh) {
-  return simulation_by(case_of(study, group.front()), mesh, [](Scene scene, const std::shared_ptr<const Mesh>& on) {
-    return Simulation(with_all_cells(std::move(scene)), on);
-  });
+  return simulation_with_all_cells(case_of(study, group.front()), mesh);
 }
 
 SoilFamilyRead read_soil_family(const Study& study, std::size_t group, const std::string& folder) {
@@ -152,20 +147,20 @@ SoilFamilyRead read_soil_family(const Study& study, std::size_t group, const std
     if (auto family = read_soil_family_file(path_of(folder, group, ".h5"), made_for(study, group)))
       return {std::move(family), ""};
   } catch (const InputError& error) {
-    return {{}, error.diagnostics().list().front().what};
+    return {{}, error.diagnostics().list().front().what, false};
   }
-  return {{}, "the model of all soils is of another study"};
+  return {{}, "the model of all soils is of another study", false};
 }
 
 void make_soil_families(const Study& study, const std::vector<std::vector<int>>& pieces, const std::string& folder,
                         bool trusts_scripts, const std::function<void(double)>& progress) {
   const std::vector<std::vector<int>> groups = soil_groups(study);
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (!has_run_of(pieces, groups[g]) || read_soil_family(study, g, folder).family) continue;
+    if (!has_run_of(pieces, groups[g]) || read_soil_family(study, g, folder).was_tried) continue;
     const double n = static_cast<double>(groups.size());
     const auto shown = part_of(progress, static_cast<double>(g) / n, static_cast<double>(g + 1) / n);
     const SoilFamilyRead made = family_of(study, groups[g], trusts_scripts, shown);
-    if (read_soil_family(study, g, folder).family) continue;  // of another part, which was first
+    if (read_soil_family(study, g, folder).was_tried) continue;  // of another part, which was first
     std::error_code code;
     fs::create_directories(journal_folder(folder), code);
     fs::remove(path_of(folder, g, made.family ? ".txt" : ".h5"), code);

@@ -26,16 +26,17 @@ std::vector<std::vector<int>> soil_groups(const Study& study);
 
 /// Makes the families of such groups as far as they have runs among `pieces`, and writes them into the study's folder:
 /// journal/soils-GROUP.h5, or journal/soils-GROUP.txt with the reason where there can be none. To be called before
-/// any process asks for members. A family that is there already is kept, so that a study that goes on where it stopped
-/// has the same; processes that make one at once make equal ones, as it follows from the study alone. `progress`: 0
-/// to 1. Throws InputError where the folder cannot be written to.
+/// any process asks for members. A family or reason that is there already is kept, so that a study that goes on where
+/// it stopped has the same; processes that make one at once make equal ones, as it follows from the study alone.
+/// `progress`: 0 to 1. Throws InputError where the folder cannot be written to.
 void make_soil_families(const Study& study, const std::vector<std::vector<int>>& pieces, const std::string& folder,
                         bool trusts_scripts, const std::function<void(double)>& progress);
 
 /// A family as that function has left it.
 struct SoilFamilyRead {
   std::optional<SoilFamilyFile> family;
-  std::string why_not;  ///< why there is none
+  std::string why_not;    ///< why there is none
+  bool was_tried = true;  ///< false: its files are missing, damaged or of another study
 };
 SoilFamilyRead read_soil_family(const Study& study, std::size_t group, const std::string& folder);
 

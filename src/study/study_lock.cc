@@ -157,7 +157,6 @@ std::string division_of(const std::string& file) {
   const std::string file = path.filename().string(), text = text_of(path);
   const Owner owner = owner_in(text);
   std::string what = "another study works in this folder";
-  if (file == StudyLock::of_merge) what = "another --merge writes in this folder";
   if (file.find("-of-") != std::string::npos) what = path.stem().string() + " of the study is at work in this folder";
   if (is_whole(owner, text)) what += ", process " + std::to_string(owner.pid) + " on " + owner.host;
   std::string cure = "wait until it has ended, or choose another folder with --out DIR";

@@ -10,10 +10,9 @@ namespace upbead {
 /// ended on this machine holds nothing; of another machine nobody knows, and the message says which file to remove.
 class StudyLock {
  public:
-  static constexpr const char* of_study = "lock";        ///< the file of a whole study: it excludes all parts
-  static constexpr const char* of_merge = "merge.lock";  ///< excludes nothing but another one
+  static constexpr const char* of_study = "lock";  ///< the file of a whole study: it excludes all parts
 
-  /// `file`: one of these, or that of a part, which excludes the whole study and parts of another number of parts.
+  /// `file`: this one, or that of a part, which excludes the whole study and parts of another number of parts.
   /// Throws InputError where another process has it; never waits.
   explicit StudyLock(const std::string& output_folder, const std::string& file = of_study);
   /// Removes the file.

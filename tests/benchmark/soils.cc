@@ -34,9 +34,7 @@ Regions random_soil(Regions regions, std::mt19937& rng, bool damped) {
 }
 
 std::map<std::string, Coefficients> of_regions(const Scene& scene, const Regions& regions) {
-  std::map<std::string, Coefficients> out;
-  for (const auto& [name, r] : regions) out[name] = coefficients(r, scene.fluid, scene.gravity);
-  return out;
+  return coefficients(regions, scene.fluid, scene.gravity);
 }
 
 ReductionTargets only_shear() {

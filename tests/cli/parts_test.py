@@ -196,7 +196,7 @@ class Parts(PartsTest):
             self.expect_whole(mode)
 
     def test_parts_of_many_soils_share_one_model(self):
-        (self.folder / "study.toml").write_text(RANDOM.format(n=24))
+        (self.folder / "study.toml").write_text('share = "soils"\n' + RANDOM.format(n=24))
         both = [subprocess.Popen([PROGRAM, "study", "study.toml", "--out", "parts", "--part", f"{k}/2"], cwd=self.folder,
                                  stdout=subprocess.DEVNULL) for k in (1, 2)]
         self.assertEqual([process.wait(timeout=300) for process in both], [0, 0])

@@ -18,17 +18,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The messages without the path of the file.
 std::string refusal(const std::string& path) {
-  try {
-    read_model_file(path);
-  } catch (const InputError& error) {
-    std::string messages;
-    for (Diagnostic mistake : error.diagnostics()) {
-      if (mistake.place.file == path) mistake.place.file = "m";
-      messages += (messages.empty() ? "" : "\n") + to_string(mistake);
-    }
-    return messages;
-  }
-  return "";
+  return refusal_by([](const std::string& file) { read_model_file(file); }, path);
 }
 
 /// The messages about the sample model after `damage` to its file.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "upbead/base/error.h"
+
 namespace upbead::test {
 
 ReducedModelFile oscillator() {
@@ -103,6 +105,20 @@ CircleModel circles_under_an_oscillator() {
   model.pressures.reading_label.assign(static_cast<std::size_t>(n), {});
   model.gap = 0.013;
   return model;
+}
+
+std::string refusal_by(const std::function<void(const std::string& path)>& read, const std::string& path) {
+  try {
+    read(path);
+  } catch (const InputError& error) {
+    std::string messages;
+    for (Diagnostic mistake : error.diagnostics()) {
+      if (mistake.place.file == path) mistake.place.file = "m";
+      messages += (messages.empty() ? "" : "\n") + to_string(mistake);
+    }
+    return messages;
+  }
+  return "";
 }
 
 }  // namespace upbead::test

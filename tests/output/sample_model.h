@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include "upbead/output/model_file.h"
@@ -23,6 +24,9 @@ ModelSlip slipping_oscillator();
 
 /// Two slip circles, of three slices each, with readings of random size in the modes of oscillator().
 CircleModel circles_under_an_oscillator();
+
+/// The messages with which a reader refuses a file, with "m" for its path; "" where it reads the file.
+std::string refusal_by(const std::function<void(const std::string& path)>& read, const std::string& path);
 
 /// A file that the destructor removes.
 class TemporaryFile {

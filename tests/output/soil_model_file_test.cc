@@ -18,17 +18,7 @@ namespace soil_model_file_test {
 const std::string again = "; make it again with 'upbead reduce --soils'";
 
 std::string refusal(const std::string& path) {
-  try {
-    read_soil_model_file(path);
-  } catch (const InputError& error) {
-    std::string messages;
-    for (Diagnostic mistake : error.diagnostics()) {
-      if (mistake.place.file == path) mistake.place.file = "m";
-      messages += (messages.empty() ? "" : "\n") + to_string(mistake);
-    }
-    return messages;
-  }
-  return "";
+  return refusal_by([](const std::string& file) { read_soil_model_file(file); }, path);
 }
 
 std::string refusal_after(const std::function<void(SoilModelFile&)>& change) {

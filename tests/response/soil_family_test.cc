@@ -52,9 +52,7 @@ class Soils : public testing::Test {
   }
 
   std::map<std::string, Coefficients> of(const Regions& regions) const {
-    std::map<std::string, Coefficients> all;
-    for (const auto& [name, region] : regions) all[name] = coefficients(region, scene_.fluid, scene_.gravity);
-    return all;
+    return coefficients(regions, scene_.fluid, scene_.gravity);
   }
   Factors factors(unsigned seed) const { return bonded_.factors(of(soil_of_box(scene_.regions, seed))); }
 

@@ -111,8 +111,4 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-bool starts_with(std::string_view text, std::string_view beginning) {
-  return text.substr(0, beginning.size()) == beginning;
-}
-
 }  // namespace upbead

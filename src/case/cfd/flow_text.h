@@ -55,6 +55,4 @@ std::vector<std::string> words_of(std::string_view text, std::string_view marks 
 
 std::string lower_case(std::string_view text);
 
-bool starts_with(std::string_view text, std::string_view beginning);
-
 }  // namespace upbead
