@@ -163,7 +163,7 @@ std::string describe(const SoilsOfCase& made, const std::string& path) {
             (axis.logarithmic ? " (by its logarithm)\n           " : "\n           ");
   text += " one model of " + std::to_string(file.family.reduced.fixed.size()) + " coordinates, by " +
           std::to_string(file.points.rows()) + " soils that were solved\n";
-  text += "error       estimated, of the history of F_T over its peak: at most " +
+  text += "error       estimated, of F_T, displacement and forces on the base over their peaks: at most " +
           significant(100. * made.largest_estimate, 2) + " % for " + std::to_string(made.unseen) + " unseen soils, " +
           std::to_string(made.over) + " of them beyond the tolerance of " +
           significant(100. * file.frame.tolerance, 2) + " %; each answer tells its own\n";

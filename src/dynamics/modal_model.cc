@@ -10,13 +10,14 @@ int index_of(const std::vector<ReadingLabel>& labels, const std::string& name) {
   throw std::out_of_range("the reduced model has no reading '" + name + "'");
 }
 
-ModalModel ModalModel::with_reading(int i) const {
-  ModalModel one = *this;
-  one.reading = reading.row(i);
-  one.feedthrough = feedthrough.row(i);
-  one.impulse = impulse.row(i);
-  one.reading_label = {reading_label[static_cast<std::size_t>(i)]};
-  return one;
+ModalModel ModalModel::with_readings(const std::vector<int>& list) const {
+  ModalModel some = *this;
+  some.reading = reading(list, Eigen::all);
+  some.feedthrough = feedthrough(list, Eigen::all);
+  some.impulse = impulse(list, Eigen::all);
+  some.reading_label.clear();
+  for (const int i : list) some.reading_label.push_back(reading_label[static_cast<std::size_t>(i)]);
+  return some;
 }
 
 void ModalModel::join_loads(int kept, int joined) {

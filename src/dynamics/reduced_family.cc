@@ -97,20 +97,41 @@ ReducedSystem leading(const ReducedSystem& member, int n_kept, double share) {
   return selected(member, remaining);
 }
 
+ReducedSystem without_last(ReducedSystem member, int loads, int readings) {
+  const Eigen::Index n_loads = member.load.cols() - loads, n_readings = member.position.rows() - readings;
+  member.load.conservativeResize(Eigen::NoChange, n_loads);
+  for (Eigen::MatrixXd* rows : {&member.position, &member.velocity, &member.acceleration})
+    rows->conservativeResize(n_readings, Eigen::NoChange);
+  member.feedthrough.conservativeResize(n_readings, n_loads);
+  member.prescribed.resize(static_cast<std::size_t>(n_loads));
+  member.load_name.resize(static_cast<std::size_t>(n_loads));
+  member.reading_label.resize(static_cast<std::size_t>(n_readings));
+  return member;
+}
+
 ReducedSystem holding(const ReducedSystem& member, int coordinate, int fewer_loads, int fewer_readings) {
   std::vector<int> remaining;
   for (int i = 0; i < member.size(); ++i)
     if (i != coordinate) remaining.push_back(i);
-  ReducedSystem out = selected(member, remaining);
-  const Eigen::Index loads = out.load.cols() - fewer_loads, readings = out.position.rows() - fewer_readings;
-  out.load.conservativeResize(Eigen::NoChange, loads);
-  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
-    rows->conservativeResize(readings, Eigen::NoChange);
-  out.feedthrough.conservativeResize(readings, loads);
-  out.prescribed.resize(static_cast<std::size_t>(loads));
-  out.load_name.resize(static_cast<std::size_t>(loads));
-  out.reading_label.resize(static_cast<std::size_t>(readings));
-  return out;
+  return without_last(selected(member, remaining), fewer_loads, fewer_readings);
+}
+
+ReducedSystem with_readings(ReducedSystem member, const Eigen::MatrixXd& sums, std::vector<ReadingLabel> labels) {
+  for (Eigen::MatrixXd* rows : {&member.position, &member.velocity, &member.acceleration, &member.feedthrough})
+    *rows = (sums * *rows).eval();
+  member.reading_label = std::move(labels);
+  return member;
+}
+
+System names_of(const ReducedSystem& member, const std::vector<SystemLoad>& loads) {
+  System names;
+  names.loads = loads;
+  for (std::size_t i = 0; i < member.reading_label.size(); ++i) {
+    const ReadingLabel& label = member.reading_label[i];
+    const Eigen::RowVectorXd direct = member.feedthrough.row(static_cast<Eigen::Index>(i));
+    names.readings.push_back({label.name, label.unit, label.description, {}, {}, {}, {direct.begin(), direct.end()}});
+  }
+  return names;
 }
 
 int unknown_of(const ReducedSystem& member, int coordinate) {

@@ -41,8 +41,17 @@ ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotati
 /// A member without the last coordinates of both kinds: `share` of those that are not kept remain.
 ReducedSystem leading(const ReducedSystem& member, int n_kept, double share);
 
+/// A member without its last loads and readings.
+ReducedSystem without_last(ReducedSystem member, int loads, int readings);
+
 /// A member with some coordinate held at zero, and without its last loads and readings.
 ReducedSystem holding(const ReducedSystem& member, int coordinate, int fewer_loads, int fewer_readings);
+
+/// A member whose readings are sums of its own: a row of `sums` for each.
+ReducedSystem with_readings(ReducedSystem member, const Eigen::MatrixXd& sums, std::vector<ReadingLabel> labels);
+
+/// What as_system() takes over from the System that was reduced, where the member's readings are not those of it.
+System names_of(const ReducedSystem& member, const std::vector<SystemLoad>& loads);
 
 /// A member as a System of its own, small and dense: its unknowns are the coordinates, the prescribed ones last. Loads,
 /// readings and their names are those of `of`, the System that was reduced.

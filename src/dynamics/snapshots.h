@@ -24,11 +24,14 @@ struct SnapshotOptions {
   int vectors = 60;        ///< per independent load
   std::vector<std::complex<double>> frequencies;
   Eigen::MatrixXd weights;                 ///< of each load (row) at each frequency (column)
+  int n_readings = 0;                      ///< so many of the last loads stand for readings, see snapshots()
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
 
 /// Real and imaginary parts of X(s_j) under each load alone, times its weight; all together have length 1 in the units
-/// of the Krylov space. Costs one factorisation, and a solve per vector. Throws as SecondOrderKrylov does.
+/// of the Krylov space. What answers the row of a reading as a load is where another soil changes that reading, as the
+/// equations are symmetric (the dual problem: Pierce and Giles 2000): each such load has a tenth of the length of all
+/// others. Costs one factorisation, and a solve per vector. Throws as SecondOrderKrylov does.
 Snapshots snapshots(const System& system, const SnapshotOptions& options);
 
 /// s_j = 3/T + i omega_j from 0 to `highest` (rad/s), as close as the real part resolves, but at most `most`; T is the

@@ -42,7 +42,9 @@ OutputSchema<ReductionSummary> reduction_outputs() {
            "of the states that fields and strengths are made of: the root of the energy of the difference, over that "
            "of the largest state; null where the case asks for neither")
       .key("error_of_soils", &R::error_of_soils, "",
-           "estimated, of the history of F_T over its peak, where one model answers all soils of a study; null where "
+           "estimated, of the histories of F_T, of the displacement and of the forces on the base over their peaks, "
+           "where one "
+           "model answers all soils of a study; null where "
            "this soil itself was reduced")
       .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
       .key("loose.NAME", inexact, "",

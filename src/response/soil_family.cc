@@ -12,6 +12,7 @@
 #include "dynamics/projection.h"
 #include "dynamics/snapshot_basis.h"
 #include "fem/caisson/reading_names.h"
+#include "response/held_readings.h"
 #include "response/reduction.h"
 #include "system/interface.h"
 
@@ -19,11 +20,11 @@ namespace upbead {
 
 namespace {
 
-/// Vectors of a point per independent load: of one load, and of each of several, whose spaces have much in common.
-constexpr int vectors_of_one = 60, vectors_of_several = 40;
+/// Vectors of a point per independent load or reading, whose spaces have much in common.
+constexpr int vectors_of_load = 40;
 /// What a basis may leave of the snapshots of a point, in the norm of each kind of unknowns.
 constexpr double rest_of_point = 3e-6;
-constexpr int most_frequencies = 64;
+constexpr int most_of_frequencies = 64;
 /// Frequencies go up to this multiple of the loads' band.
 constexpr double beyond_band = 1.3;
 /// Estimates that are found side by side, and points that are solved so.
@@ -32,13 +33,16 @@ SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compil
   SnapshotOptions options;
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
-  options.vectors = compiled.system.loads.size() > 1 ? vectors_of_several : vectors_of_one;
+  options.vectors = vectors_of_load;
   const SampledLoads loads = sampled_loads(scene, compiled.system);
-  options.frequencies = snapshot_frequencies(loads.time.back(), beyond_band * bandwidth(scene), most_frequencies);
+  options.frequencies = snapshot_frequencies(loads.time.back(), beyond_band * bandwidth(scene), most_of_frequencies);
   options.weights = snapshot_weights(loads, options.frequencies);
   const Eigen::RowVectorXd any = options.weights.colwise().maxCoeff();
   for (Eigen::Index k = 0; k < options.weights.rows(); ++k)
     if (options.weights.row(k).isZero(0.)) options.weights.row(k) = any;  // of F_T, which is known later
+  options.n_readings = n_readings_as_loads;
+  options.weights.conservativeResize(options.weights.rows() + n_readings_as_loads, Eigen::NoChange);
+  options.weights.bottomRows(n_readings_as_loads).rowwise() = any;
   return options;
 }
 
@@ -48,15 +52,28 @@ Scene for_member(Scene scene, double tolerance) {
   return scene;
 }
 
-Eigen::RowVectorXd shear_of(const SoilFamily& family, const Scene& scene, const Factors& factors, double share) {
-  const CompiledScene compiled = family.at(factors, share);
+/// The scene of a member: `names` says what its loads and readings are called.
+CompiledScene small_scene(const SoilFamily& family, const ReducedSystem& member, const System& names) {
+  CompiledScene compiled = family.like;
+  compiled.system = as_system(member, names);
+  for (std::size_t i = 0; i < compiled.body_coordinates.size(); ++i)
+    compiled.body_coordinates[i] = unknown_of(member, member.n_prescribed + static_cast<int>(i));
+  return compiled;
+}
+
+/// Histories that the family holds to its tolerance, under the scene's own loads.
+Eigen::MatrixXd held_histories(const SoilFamily& family, const Scene& scene, const Factors& factors, double share) {
+  ReducedSystem member = family.reduced.bonded(factors, share);
+  const HeldReadings held = held_readings(member.reading_label, family.like.caisson->bottom_width);
+  member = with_readings(std::move(member), held.sums, held.labels);
+  const CompiledScene compiled = small_scene(family, member, names_of(member, family.like.system.loads));
   ReductionTargets targets;
-  targets.only_shear = true;
   targets.first_vectors = first_of_member;
   targets.most_vectors = most_of_member;
-  const Reduction reduction = reduce_scene(scene, compiled, targets);
-  const Series series = respond(reduction.model, sampled_loads(scene, compiled.system));
-  return series.reading.row(compiled.system.reading(reading::shear_force));
+  ReduceOptions options = reduce_options(scene, compiled, targets);
+  options.measured.resize(held.labels.size());
+  std::iota(options.measured.begin(), options.measured.end(), 0);
+  return respond(reduce(compiled.system, options).model, options.training).reading;
 }
 
 void count_slip(SoilFamily& family) {
@@ -65,9 +82,11 @@ void count_slip(SoilFamily& family) {
   family.reduced.slip_readings = static_cast<int>(slips.readings.size() - bonded.readings.size());
 }
 
-/// Largest difference over the largest value of `exact`.
-double difference(const Eigen::RowVectorXd& y, const Eigen::RowVectorXd& exact) {
-  return (y - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+/// Largest difference of a history over its largest value in `exact`.
+double difference(const Eigen::MatrixXd& y, const Eigen::MatrixXd& exact) {
+  const Eigen::VectorXd far = (y - exact).cwiseAbs().rowwise().maxCoeff(),
+                        largest = exact.cwiseAbs().rowwise().maxCoeff();
+  return (largest.array() > 0.).select(far.cwiseQuotient(largest), 0.).maxCoeff();
 }
 
 /// Basis and projections, which grow point by point.
@@ -89,12 +108,12 @@ class Builder {
     in_parallel(points.size(), "", [&](std::size_t i) {
       SnapshotOptions options = snapshots_;
       if (i == 0) options.progress = progress;
-      found[i] = snapshots(affine_.at(points[i]).system, options);
+      found[i] = snapshots(with_readings_as_loads(affine_.at(points[i]).system), options);
     });
     for (const Snapshots& of_point : found) basis_.add(of_point, rest_of_point);
     for (Projection& projection : projections_) projection.extend();
     std::vector<ReducedSystem> own;
-    for (Snapshots& of_point : found) own.push_back(std::move(of_point.own));
+    for (Snapshots& of_point : found) own.push_back(without_last(std::move(of_point.own), n_readings_as_loads, 0));
     return own;
   }
 
@@ -126,12 +145,7 @@ System without_matrices(System system) {
 }
 
 CompiledScene SoilFamily::at(const Factors& factors, double share) const {
-  const ReducedSystem member = reduced.bonded(factors, share);
-  CompiledScene compiled = like;
-  compiled.system = as_system(member, like.system);
-  for (std::size_t i = 0; i < compiled.body_coordinates.size(); ++i)
-    compiled.body_coordinates[i] = unknown_of(member, member.n_prescribed + static_cast<int>(i));
-  return compiled;
+  return small_scene(*this, reduced.bonded(factors, share), like.system);
 }
 
 SlipSystem SoilFamily::slips_at(const Factors& factors) const {
@@ -142,15 +156,15 @@ SlipSystem SoilFamily::slips_at(const Factors& factors) const {
 }
 
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors) {
-  const Eigen::RowVectorXd all = shear_of(family, scene, factors, 1.);
-  return family.reduced.safety * difference(shear_of(family, scene, factors, nested_share), all);
+  const Eigen::MatrixXd all = held_histories(family, scene, factors, 1.);
+  return family.reduced.safety * difference(held_histories(family, scene, factors, nested_share), all);
 }
 
 namespace {
 
 /// What was true of a soil before it became a point.
 struct Judged {
-  double error = 0.;   ///< of the history of F_T over its peak
+  double error = 0.;   ///< of the histories of held_readings() over their peaks
   double nested = 0.;  ///< difference of nested members
 };
 
@@ -158,8 +172,8 @@ struct Judged {
 Judged judge(const SoilFamily& family, const Scene& scene, const Factors& soil, const ReducedSystem& own) {
   SoilFamily alone{{own, {}, family.reduced.n_kept}, {}, family.like, family.slipping};
   if (alone.slipping) count_slip(alone);
-  const Eigen::RowVectorXd exact = shear_of(alone, scene, {}, 1.), all = shear_of(family, scene, soil, 1.);
-  return {difference(all, exact), difference(shear_of(family, scene, soil, nested_share), exact)};
+  const Eigen::MatrixXd exact = held_histories(alone, scene, {}, 1.), all = held_histories(family, scene, soil, 1.);
+  return {difference(all, exact), difference(held_histories(family, scene, soil, nested_share), exact)};
 }
 
 /// What the points told of the family before they became points, see docs/soils.md.

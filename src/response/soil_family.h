@@ -37,7 +37,7 @@ System without_matrices(System system);
 
 struct SoilFamilyOptions {
   std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next
-  double tolerance = 2e-3;          ///< of the history of F_T over its peak, for each candidate by its estimate
+  double tolerance = 2e-3;          ///< of the histories of held_readings() over their peaks, for each candidate
   int most_points = 8;
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
@@ -62,8 +62,8 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
 /// its body_coordinates the unknowns that are kept exactly.
 AffineScene with_slip(const AffineScene& affine);
 
-/// Largest difference of F_T between nested members over its peak, times the family's safety, under the scene's own
-/// loads.
+/// Largest difference of a history of held_readings() between nested members over its peak, times the family's safety,
+/// under the scene's own loads.
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors);
 
 }  // namespace upbead

@@ -14,7 +14,7 @@ namespace upbead {
 /// What stands for the scene's System: a small one in the coordinates of a basis for all soils.
 struct SoilMember {
   CompiledScene compiled;
-  double error = 0.;                      ///< estimated, of the history of F_T over its peak, by the basis
+  double error = 0.;                      ///< estimated, of held_readings() over their peaks, by the basis
   std::shared_ptr<const FieldBasis> phi;  ///< see of_bonded_members()
   std::optional<SlipSystem> slip;  ///< with a caisson that slips as a whole; none: the scene itself is assembled for it
 };

@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/caisson/reading_names.h"
+#include "response/held_readings.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/expected/distribution.h"
 
@@ -56,25 +57,6 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-/// A member with some of its readings.
-struct SomeReadingsOf {
-  SomeReadingsOf(ReducedSystem of, const System& like, const std::vector<int>& rows) : member(std::move(of)) {
-    for (Eigen::MatrixXd* matrix : {&member.position, &member.velocity, &member.acceleration, &member.feedthrough})
-      *matrix = (*matrix)(rows, Eigen::all).eval();
-    names.loads = like.loads;
-    std::vector<ReadingLabel> labels;
-    for (const int i : rows) {
-      labels.push_back(member.reading_label[static_cast<std::size_t>(i)]);
-      names.readings.push_back(like.readings[static_cast<std::size_t>(i)]);
-    }
-    member.reading_label = std::move(labels);
-  }
-  System system() const { return as_system(member, names); }
-
-  ReducedSystem member;
-  System names;
-};
-
 /// Indices of F_T and of other readings, each once.
 std::vector<int> indices_of(const std::vector<ReadingLabel>& labels, const std::vector<std::string>& names) {
   std::vector<int> list{index_of(labels, reading::shear_force)};
@@ -85,10 +67,30 @@ std::vector<int> indices_of(const std::vector<ReadingLabel>& labels, const std::
   return list;
 }
 
-/// 0, 1, ... n - 1.
-std::vector<int> counted(std::size_t n) {
-  std::vector<int> list(n);
-  std::iota(list.begin(), list.end(), 0);
+/// A member's readings, and behind them, where the forces on the base are told, what a family holds.
+ReducedSystem with_held(ReducedSystem member, const std::optional<ModelBase>& base) {
+  if (!base) return member;
+  const HeldReadings held = held_readings(member.reading_label, base->width);
+  std::vector<ReadingLabel> labels = member.reading_label;
+  labels.insert(labels.end(), held.labels.begin(), held.labels.end());
+  const Eigen::Index n = member.position.rows(), more = held.sums.rows();
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Identity(n + more, n);
+  sums.bottomRows(more) = held.sums;
+  return with_readings(std::move(member), sums, std::move(labels));
+}
+
+/// A member with some of its readings.
+ReducedSystem with_some(ReducedSystem member, const std::vector<int>& readings) {
+  const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(member.position.rows(), member.position.rows());
+  std::vector<ReadingLabel> labels;
+  for (const int i : readings) labels.push_back(member.reading_label[static_cast<std::size_t>(i)]);
+  return with_readings(std::move(member), all(readings, Eigen::all), std::move(labels));
+}
+
+/// first, first + 1, ... end - 1.
+std::vector<int> counted(std::size_t first, std::size_t end) {
+  std::vector<int> list(end - first);
+  std::iota(list.begin(), list.end(), static_cast<int>(first));
   return list;
 }
 
@@ -107,19 +109,61 @@ void require_reduced(const Reduction& reduction, const std::string& soil) {
                       " of nested models differs by " + significant(own_error(reduction, worst)) + " of its peak");
 }
 
-/// Errors of a member by nested members, under the training histories.
-struct MemberError {
-  MemberError(const NestedModels& nested, const SampledLoads& training) {
-    const Eigen::RowVectorXd all = respond(nested.reference, training).reading.row(0),
-                             fewer = respond(nested.middle, training).reading.row(0);
-    const double largest = all.cwiseAbs().maxCoeff();
-    if (largest == 0.) return;
-    history = nested.safety * (all - fewer).cwiseAbs().maxCoeff() / largest;
-    const double up = std::abs(all.maxCoeff() - fewer.maxCoeff()), down = std::abs(all.minCoeff() - fewer.minCoeff());
-    peak = nested.safety * std::max(up, down) / largest;
-  }
-  double history = 0., peak = 0.;
+/// Largest difference of nested models over the largest value, of each reading, under the training histories.
+Eigen::VectorXd differences(const ModalModel& all, const ModalModel& fewer, const SampledLoads& training) {
+  const Eigen::MatrixXd y = respond(all, training).reading, of_fewer = respond(fewer, training).reading;
+  const Eigen::VectorXd largest = y.cwiseAbs().rowwise().maxCoeff(),
+                        far = (y - of_fewer).cwiseAbs().rowwise().maxCoeff();
+  return (largest.array() > 0.).select(far.cwiseQuotient(largest), 0.);
+}
+
+/// The same of the largest and least values of one reading.
+double difference_of_peaks(const ModalModel& all, const ModalModel& fewer, const SampledLoads& training) {
+  const Eigen::RowVectorXd y = respond(all, training).reading.row(0),
+                           of_fewer = respond(fewer, training).reading.row(0);
+  const double largest = y.cwiseAbs().maxCoeff();
+  if (largest == 0.) return 0.;
+  return std::max(std::abs(y.maxCoeff() - of_fewer.maxCoeff()), std::abs(y.minCoeff() - of_fewer.minCoeff())) / largest;
+}
+
+/// A soil in all directions of the family and in half of them.
+struct SoilReductions {
+  Reduction all, fewer;       ///< `fewer` has the measured readings of `all` alone
+  std::vector<int> measured;  ///< readings of `all`: F_T, those that were asked for, those that the family holds
+  std::vector<int> held;      ///< of the measured ones, F_T and those that the family holds
 };
+
+SoilReductions reductions_of(const SoilModelFile& file, const System& like, const std::vector<double>& factors,
+                             const std::vector<std::string>& readings) {
+  const SoilFamilyFile& family = file.family;
+  const ReducedSystem member = with_held(family.reduced.bonded(factors), file.frame.base);
+  SoilReductions out;
+  out.measured = indices_of(member.reading_label, readings);
+  out.held = {0};
+  for (const int i : counted(like.readings.size(), member.reading_label.size())) {
+    out.held.push_back(static_cast<int>(out.measured.size()));
+    out.measured.push_back(i);
+  }
+  out.all = reduce(as_system(member, names_of(member, like.loads)), options_of(family, member, out.measured));
+  const ReducedSystem fewer =
+      with_some(with_held(family.reduced.bonded(factors, nested_share), file.frame.base), out.measured);
+  out.fewer =
+      reduce(as_system(fewer, names_of(fewer, like.loads)), options_of(family, fewer, counted(0, out.measured.size())));
+  return out;
+}
+
+/// Of F_T and of what the family holds; other readings that were asked for have estimates of their own.
+double error_of(const SoilReductions& soil, const SoilFamilyFile& family) {
+  double own = 0.;
+  std::vector<int> rows;
+  for (const int i : soil.held) {
+    rows.push_back(soil.measured[static_cast<std::size_t>(i)]);
+    own = std::max(own, own_error(soil.all, rows.back()));
+  }
+  const Eigen::VectorXd far =
+      differences(soil.all.model.with_readings(rows), soil.fewer.model.with_readings(soil.held), family.training);
+  return own + family.reduced.safety * far.maxCoeff();
+}
 
 }  // namespace
 
@@ -184,37 +228,31 @@ std::vector<ReadingLabel> SoilAnswers::readings() const {
 
 AnsweredSoil SoilAnswers::member(const Soil& whole, const std::vector<std::string>& readings) const {
   const SoilFamilyFile& family = file_.family;
-  const std::vector<double> of_soil = factors(whole);
-  const ReducedSystem member = family.reduced.bonded(of_soil);
-  const std::vector<int> measured = indices_of(member.reading_label, readings);
-  const int shear = measured.front();
-  Reduction reduction = reduce(as_system(member, like_), options_of(family, member, measured));
-  require_reduced(reduction, soil_in_words(whole));
-  const SomeReadingsOf fewer(family.reduced.bonded(of_soil, nested_share), like_, measured);
-  Reduction middle = reduce(fewer.system(), options_of(family, fewer.member, counted(measured.size())));
-  NestedModels nested{middle.model.with_reading(0), reduction.model.with_reading(shear),
-                      reduction.n_solves + middle.n_solves, 2, family.reduced.safety};
-  const MemberError error(nested, family.training);
+  SoilReductions soil = reductions_of(file_, like_, factors(whole), readings);
+  require_reduced(soil.all, soil_in_words(whole));
+  const Reduction& all = soil.all;
+  NestedModels nested{soil.fewer.model.with_reading(0), all.model.with_reading(soil.measured.front()),
+                      all.n_solves + soil.fewer.n_solves, 2, family.reduced.safety};
   const double agreed =
       agreed_frequency(nested.middle, nested.reference, {0}, transfer_tolerance * file_.frame.tolerance,
-                       1. / family.training.time.back(), 100. * member.shift);
+                       1. / family.training.time.back(), 100. * all.system.shift);
   ReducedModelFile model = file_.frame;
-  model.modes = std::move(reduction.model);
+  model.modes = all.model.with_readings(counted(0, like_.readings.size()));
   // a space that is exhausted at once is exact, and has no smaller one to be compared with
-  const double own = reduction.history.empty() ? agreed : reduction.omega;
+  const double own = all.history.empty() ? agreed : all.omega;
   model.highest_frequency = std::min(own, agreed) / two_pi;
-  model.error = own_error(reduction, shear) + error.history;
-  model.error_peak = reduction.error.peak + error.peak;
+  model.error = error_of(soil, family);
+  model.error_peak =
+      all.error.peak + nested.safety * difference_of_peaks(nested.reference, nested.middle, family.training);
   model.solves = nested.solves;
   model.factorisations = nested.factorisations;
-  for (ModalModel* modes : {&model.modes, &nested.middle, &nested.reference, &middle.model})
+  for (ModalModel* modes : {&model.modes, &nested.middle, &nested.reference, &soil.fewer.model})
     join_pore_pressures(*modes);
   model.nested = std::move(nested);
   model.slip.reset();
   model.circles.reset();
-  model.base.reset();  // what presses on the base is not held to the tolerance: docs/soils.md
   model.error_march.reset();
-  return {std::move(model), std::move(middle.model)};
+  return {std::move(model), std::move(soil.fewer.model)};
 }
 
 std::string SoilAnswers::box_text() const {

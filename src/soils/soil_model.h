@@ -25,7 +25,7 @@ std::vector<Diagnostic> why_no_soils(const Simulation& simulation);
 /// decide otherwise about flow, deformation or compressibility; "" where it is one. Both are resolved on one mesh.
 std::string why_not_of_family(const Scene& resolved, const Scene& other);
 
-/// The estimated error that a member's model of all soils brings: of the history of F_T over its peak.
+/// The estimated error that a member's model of all soils brings: of the histories of held_readings() over their peaks.
 double error_of_soils(const Simulation& member);
 
 /// A scene's given form that is resolved with all cells: soils differ in how far waves come.
@@ -38,7 +38,7 @@ Simulation simulation_with_all_cells(const Case& input, const std::shared_ptr<co
 constexpr double share_of_tolerance = 0.6;
 
 struct SoilModelOptions {
-  double tolerance = 2e-3;  ///< of the history of F_T over its peak, for each of the soils by its estimate
+  double tolerance = 2e-3;  ///< of the histories of held_readings() over their peaks, for each of the soils
   int most_points = 12;
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };

@@ -75,20 +75,33 @@ bool has_run_of(const std::vector<std::vector<int>>& pieces, const std::vector<i
   });
 }
 
-/// The first number that is read and not of F_T or S, of which a family's estimate says nothing; "": none.
-std::string read_beside_shear(const Study& study) {
-  for (const std::string& path : study.reads)
-    if (!starts_with(path, "sliding.") && !starts_with(path, "response.peak_shear") &&
-        !starts_with(path, "response.peak_force") && path != "response.shear_to_force_ratio")
-      return path;
-  return "";
+/// Numbers, or beginnings of their paths, that follow from what a family holds: held_readings().
+bool follows_from_held(const std::string& path) {
+  static const std::vector<std::string> beginnings{"sliding.",
+                                                   "base.",
+                                                   "response.peak_shear",
+                                                   "response.peak_force",
+                                                   "response.peak_displacement",
+                                                   "response.shear_to_force_ratio"};
+  if (starts_with(path, "base.peak_computed_pressure")) return false;  // of single nodes
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&path](const std::string& beginning) { return starts_with(path, beginning); });
+}
+
+/// The first number that is read of which a family's estimate says nothing; "": none.
+std::string read_beside_held(const Study& study) {
+  const auto other = std::find_if_not(study.reads.begin(), study.reads.end(), follows_from_held);
+  return other == study.reads.end() ? "" : *other;
 }
 
 /// The family of a group; or why it has none.
 SoilFamilyRead family_of(const Study& study, const std::vector<int>& group, bool trusts_scripts,
                          const std::function<void(double)>& progress) {
-  if (const std::string other = read_beside_shear(study); !other.empty())
-    return {{}, "'" + other + "' is read, and one model of all soils holds F_T and S alone to the tolerance"};
+  if (const std::string other = read_beside_held(study); !other.empty())
+    return {{},
+            "'" + other +
+                "' is read, and one model of all soils holds F_T, S, the caisson's displacement and what "
+                "presses on its base to the tolerance, and no more"};
   try {
     const Case problem = case_of(study, group.front());
     require_trust(problem, trusts_scripts);

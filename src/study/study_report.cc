@@ -67,8 +67,7 @@ Json skipped(const Results& results) {
       "the run before had loads of the same shortest duration, too");
   add(count(results, Shared::solution), "mesh and solution", "the run before differed in what is only told");
   add(count(results, Shared::soils), "equations of their own",
-      "one model answers all soils, F_T and S within their error_estimate; checks and warnings of what presses on the "
-      "base are less exact: share = \"all\" solves each by itself");
+      "one model answers all soils, each within its error_estimate");
   return list;
 }
 

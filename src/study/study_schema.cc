@@ -192,7 +192,7 @@ TableSchema<StudyTables> study_schema() {
   table.choice("share", &StudyTables::share, share_words)
       .doc(
           "what runs may take over from each other; all: each stage that is the same; soils: besides, one model "
-          "answers many soils, F_T and S each within its error_estimate, what presses on the base less exactly; none: "
+          "answers many soils, each within its error_estimate; none: "
           "nothing, every run is meshed and solved anew");
   table.key("set", &StudyTables::set).doc("values that all runs have, by key of the case");
   table.tables("vary", &StudyTables::vary, vary_schema())

@@ -38,8 +38,9 @@ struct ModalModel {
   int n_readings() const { return static_cast<int>(reading.rows()); }
   /// See index_of().
   int index(const std::string& name) const { return index_of(reading_label, name); }
-  /// The model with only one of its readings.
-  ModalModel with_reading(int i) const;
+  /// The model with only some of its readings, or one.
+  ModalModel with_readings(const std::vector<int>& list) const;
+  ModalModel with_reading(int i) const { return with_readings({i}); }
   /// Adds the load `joined` to the load `kept`, which always has the same history.
   void join_loads(int kept, int joined);
   /// H(s) = Y_i / F_k; s (1/s) is no pole, and not zero where there is an impulse term.
