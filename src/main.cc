@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/cores.h"
 #include "cli/command.h"
 #include "cli/respond_cases.h"
 #include "model/exclusions.h"
@@ -35,7 +36,7 @@ void prefer_large_pages() {
 /// same case: there the solver tells them once; nor of a sheet, whose file may be a design.
 void check_case_first(int argc, char** argv) {
   const std::string command = argv[1];
-  if (command == "study" || command == "sheet" || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
+  if (command == "study" || command == "sheet" || upbead::is_launched()) return;
   upbead::check_case_of(argc, argv);
 }
 

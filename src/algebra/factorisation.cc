@@ -1,10 +1,12 @@
 #include "algebra/factorisation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "algebra/fail_together.h"
 #include "algebra/ldlt/ldlt.h"
 #include "condensation.h"
 #include "upbead/base/error.h"
@@ -34,25 +36,30 @@ RowSizes row_sizes(const SparseMatrix& A) {
 /// All processes must scale a shared unknown alike. The sum of the processes' largest entries serves in place of
 /// their maximum.
 void sum_shared(const Sharing& sharing, RowSizes& sizes) {
-  std::vector<double> values;
-  for (const Vector* part : {&sizes.diagonal, &sizes.largest})
-    for (const int i : sharing.unknowns) values.push_back((*part)[i]);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(sharing.n_all, 2);
+  for (std::size_t k = 0; k < sharing.unknowns.size(); ++k) {
+    values(sharing.numbers[k], 0) = sizes.diagonal[sharing.unknowns[k]];
+    values(sharing.numbers[k], 1) = sizes.largest[sharing.unknowns[k]];
+  }
   sharing.processes->sum(values.data(), static_cast<int>(values.size()));
-  auto next = values.begin();
-  for (Vector* part : {&sizes.diagonal, &sizes.largest})
-    for (const int i : sharing.unknowns) (*part)[i] = *next++;
+  for (std::size_t k = 0; k < sharing.unknowns.size(); ++k) {
+    sizes.diagonal[sharing.unknowns[k]] = values(sharing.numbers[k], 0);
+    sizes.largest[sharing.unknowns[k]] = values(sharing.numbers[k], 1);
+  }
 }
 
 /// 1 / sqrt|a_ii|; where a_ii = 0, with the largest magnitude of the row in its place.
 Vector equilibration(const SparseMatrix& A, const Sharing& sharing) {
   RowSizes sizes = row_sizes(A);
-  if (!sharing.unknowns.empty()) sum_shared(sharing, sizes);
+  if (sharing.n_all > 0) sum_shared(sharing, sizes);
   Vector scale(A.rows());
-  for (int i = 0; i < A.rows(); ++i) {
-    const double diagonal = std::abs(sizes.diagonal[i]), largest = sizes.largest[i];
-    if (largest == 0.) throw NumericsError("the matrix is singular: row " + std::to_string(i) + " is empty");
-    scale[i] = 1. / std::sqrt(diagonal > 0. ? diagonal : largest);
-  }
+  detail::fail_together(sharing, [&] {
+    for (int i = 0; i < A.rows(); ++i) {
+      const double diagonal = std::abs(sizes.diagonal[i]), largest = sizes.largest[i];
+      if (largest == 0.) throw NumericsError("the matrix is singular: row " + std::to_string(i) + " is empty");
+      scale[i] = 1. / std::sqrt(diagonal > 0. ? diagonal : largest);
+    }
+  });
   return scale;
 }
 
@@ -122,8 +129,10 @@ struct Factorisation::Impl {
   }
 
   void factorise(const SparseMatrix& A) {
-    check_finite(A);
-    condensation.condense(A);
+    detail::fail_together(sharing, [&] {
+      check_finite(A);
+      condensation.condense(A);
+    });
     ldlt.factorise(condensation.schur(), equilibration(condensation.schur(), sharing));
     constexpr double tolerable_loss = 1e8;
     const double lost = sum_of(lost_in(condensation.schur(), A, condensation), sharing);
@@ -131,6 +140,15 @@ struct Factorisation::Impl {
     const bool stands_in = ldlt.n_stand_ins() > 0;
     matrix = n_refinements > 0 || stands_in ? A : SparseMatrix();
     if (stands_in) refine_until_exact();
+    inertia = inertia_of_all();
+  }
+
+  Inertia inertia_of_all() const {
+    const Inertia own = ldlt.inertia(), shared = ldlt.shared_inertia();
+    std::array<double, 2> eliminated{static_cast<double>(own.positive + condensation.n_local()),
+                                     static_cast<double>(own.negative)};
+    if (sharing.processes) sharing.processes->sum(eliminated.data(), 2);
+    return {static_cast<int>(eliminated[0]) + shared.positive, static_cast<int>(eliminated[1]) + shared.negative};
   }
 
   /// After zero pivots were replaced: finds how many refinements an irregular right-hand side needs. If the matrix is
@@ -184,6 +202,7 @@ struct Factorisation::Impl {
   detail::Condensation condensation;
   Sharing sharing;  ///< among the unknowns of the Schur complement
   detail::Ldlt ldlt;
+  Inertia inertia;
   int n_refinements = 0;  ///< refinement steps of each solution
   SparseMatrix matrix;    ///< A, kept where solutions are refined
   Eigen::MatrixXd rest;   ///< work space of a solve
@@ -289,9 +308,7 @@ void Factorisation::finish(Eigen::Ref<Vector> b, const Border& border, const Vec
 }
 
 Inertia Factorisation::inertia() const {
-  Inertia total = impl_->ldlt.inertia();
-  total.positive += impl_->condensation.n_local();
-  return total;
+  return impl_->inertia;
 }
 
 long Factorisation::n_factor_entries() const {

@@ -40,7 +40,7 @@ class Factorisation {
   ///
   /// With `sharing` the matrix is the sum of the A of all processes, each over the unknowns that it holds; so are
   /// right-hand sides. All processes make the same calls, and each gets the solution in its unknowns. No block holds
-  /// a shared unknown.
+  /// a shared unknown. Where the matrix is singular, all throw.
   explicit Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks = {},
                          const Sharing& sharing = {});
   ~Factorisation();
@@ -55,7 +55,7 @@ class Factorisation {
   /// x = A^-1 b without allocation; x has the size of b and is not b.
   void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) const;
   /// X = A^-1 B. Up to 8 right-hand sides are solved in one pass through the factor; results are the same as one by
-  /// one.
+  /// one (up to round-off where unknowns are shared).
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
   /// A solve in two halves: the first gives C^T A^-1 b, before it is decided how much of the columns C acts. Only
   /// where solutions are not refined and no unknown is shared.
@@ -65,9 +65,10 @@ class Factorisation {
   Vector begin(const Eigen::Ref<const Vector>& b, const Border& border) const;
   /// The second half: x = A^-1 (b - C q), with the b of begin(); b becomes b - C q.
   void finish(Eigen::Ref<Vector> b, const Border& border, const Vector& q, Eigen::Ref<Vector> x) const;
-  /// Inertia of the whole matrix (the sum over processes), counted over the unknowns that this process holds.
+  /// Inertia of the whole matrix, the sum over processes.
   Inertia inertia() const;
-  /// Stored entries of the factor L, including padding; a solve reads them twice. Without the blocks.
+  /// Stored entries of the factor L, including padding; a solve reads them twice. Without the blocks, and without the
+  /// shared unknowns.
   long n_factor_entries() const;
 
  private:

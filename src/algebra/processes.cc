@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "algebra/mumps_matrix.h"
+
 namespace upbead {
 
 namespace {
@@ -21,6 +23,10 @@ class MpiProcesses : public Processes {
   void sum(double* values, int n) const override {
     MPI_Reduce(rank_ == 0 ? MPI_IN_PLACE : values, values, n, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
     MPI_Bcast(values, n, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  }
+
+  std::unique_ptr<detail::SharedMatrix> shared_matrix(const Sharing& sharing) const override {
+    return std::make_unique<detail::MumpsMatrix>(sharing);
   }
 
   [[noreturn]] void end_all(int exit_code) const override {

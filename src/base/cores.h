@@ -3,7 +3,8 @@
 
 namespace upbead {
 
-/// Whether mpirun, or a cluster's launcher, has started this process.
+/// Whether mpirun, or a cluster's launcher with PMI or PMIx, has started this process, and MPI can ask it for the
+/// others. Not srun --mpi=none, whose processes MPI takes for lone ones.
 bool is_launched();
 
 /// Cores that this process may use.

@@ -41,7 +41,7 @@ constexpr std::array launchers{
 
 }  // namespace
 
-std::optional<Launch> launch_of_environment() {
+std::optional<Launch> told_launch() {
   for (const Launcher& launcher : launchers) {
     const auto rank = number_in(launcher.rank), size = number_in(launcher.size);
     if (!rank || !size || *rank >= *size) continue;
@@ -49,6 +49,11 @@ std::optional<Launch> launch_of_environment() {
     if (launcher.id[1][0] != '\0') launch.id += "." + variable(launcher.id[1]);
     return launch;
   }
+  return std::nullopt;
+}
+
+std::optional<Launch> launch_of_environment() {
+  if (auto launch = told_launch()) return launch;
   if (!variable("PMIX_RANK").empty())
     throw InputError({}, "a launcher has set PMIX_RANK, but no variable tells how many processes it has started",
                      "say --part K/N, or start by mpirun or srun");

@@ -13,8 +13,10 @@ struct Launch {
   std::string id;  ///< equal in all of them, and in no other launch; "" where that is unknown
 };
 
-/// By Open MPI's mpirun, a launcher with PMI, or Slurm's srun; none where this process was started alone. Throws
-/// InputError where a launcher tells no number of processes.
+/// By Open MPI's mpirun, a launcher with PMI, or Slurm's srun; none where this process was started alone, or where a
+/// launcher tells no number of processes.
+std::optional<Launch> told_launch();
+/// The same. Throws InputError where a launcher tells no number of processes.
 std::optional<Launch> launch_of_environment();
 
 /// By a Slurm array whose tasks are numbered from 0 or 1 without gaps. Throws InputError where it is none.

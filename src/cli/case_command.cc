@@ -33,8 +33,8 @@ its strain, or several processes):
   upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
   upbead run CASE --checkpoint 600 --resume
 
-On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up to
-round-off. Fields, reduced models and an early stop are for one process alone.
+On several processes (mpirun -n 2 upbead run CASE, or srun --mpi=pmix) the mesh is divided among them; the answer is
+the same up to round-off. Fields, reduced models and an early stop are for one process alone.
 
 Examples:
   upbead run cases/fig2b-model.toml
@@ -80,7 +80,10 @@ std::vector<Option> run_options(CaseOptions& options) {
           {"--checkpoint", &options.checkpoint_every,
            "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end", "SECONDS",
            false, true},
-          {"--resume", &options.resume, "go on from the checkpoint, where there is one"}};
+          {"--resume", &options.resume, "go on from the checkpoint, where there is one"},
+          {"--petsc", &options.petsc,
+           "options of PETSc for the solver of what several processes share, such as \"-mat_mumps_icntl_14 400\"",
+           "OPTIONS"}};
 }
 
 std::vector<Option> reduce_options(CaseOptions& options) {

@@ -79,6 +79,7 @@ struct CaseOptions : CommonOptions {
   double checkpoint_every = 0.;  ///< run: wall time between two checkpoints (s); 0: none are kept
   bool resume = false;           ///< run
   bool details = false;          ///< run: --details
+  std::string petsc;             ///< run: --petsc
   bool all_readings = false;     ///< reduce
   bool check = false;            ///< reduce
   std::string soils;             ///< reduce: --soils

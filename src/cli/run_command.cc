@@ -4,8 +4,10 @@
 #include <optional>
 #include <thread>
 
+#include "algebra/petsc_options.h"
 #include "base/files.h"
 #include "base/interrupt.h"
+#include "base/launch.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "case/case_findings.h"
@@ -28,12 +30,13 @@ namespace {
 
 /// Solves the case; `visible`: whether to show the progress.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
-          FieldOutput& fields, Checkpoints* checkpoints, bool visible) {
+          FieldOutput& fields, Checkpoints* checkpoints, const PetscOptionsGiven& petsc, bool visible) {
   std::optional<Progress> line;
   if (visible) line.emplace("solving");
   RunOptions options;
-  options.progress = [&line](double done) {
+  options.progress = [&line, &petsc](double done) {
     check_interrupt();
+    if (done > 0.) petsc.require_used();  // a step is solved, so PETSc has asked for what it knows
     if (line) line->update(done);
   };
   options.observer = [&fields](const Simulation& marched) { return fields.begin(marched); };
@@ -99,6 +102,24 @@ void check_processes(const Case& input, bool with_checkpoints) {
   mistakes.throw_if_any();
 }
 
+/// Throws InputError at words that are no options of PETSc, or where there is nothing that they hold for.
+PetscOptionsGiven given_to_petsc(const CaseOptions& options, const Processes* processes) {
+  if (options.petsc.empty()) return {};
+  if (processes == nullptr)
+    throw InputError({}, "--petsc is for several processes: one alone solves without PETSc",
+                     "leave it out, or start upbead by mpirun");
+  return PetscOptionsGiven(options.petsc);
+}
+
+/// What is to be said where a launcher has started several processes, but MPI knows this one alone.
+std::string note_on_launch(const Processes* processes) {
+  const std::optional<Launch> launch = processes == nullptr ? told_launch() : std::nullopt;
+  if (!launch || launch->size == 1) return "";
+  return "upbead: " + launch->by + " tells that " + std::to_string(launch->size) +
+         " processes were started, but MPI connects none of them: each solves the whole case for itself; to divide " +
+         "it, start them by mpirun or srun --mpi=pmix\n";
+}
+
 /// Calls work(). Where it fails on one process, reports the error once and ends all processes, as the other ones
 /// would wait for the failed one for ever. Without several processes (null), exceptions pass.
 void run_together(const Processes* processes, const std::function<void()>& work) {
@@ -123,8 +144,9 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   require_loads(input);
-  if (is_first) std::cerr << notes_on(input);
+  if (is_first) std::cerr << notes_on(input) << note_on_launch(processes.get());
   if (processes) check_processes(input, options.checkpoint_every > 0. || options.resume);
+  const PetscOptionsGiven petsc = given_to_petsc(options, processes.get());
   note_interrupts();
   std::optional<OutputFolder> folder;
   std::optional<Checkpoints> checkpoints;
@@ -145,7 +167,7 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
               << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, folder ? &*folder : nullptr);
-  Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, is_first);
+  Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, petsc, is_first);
   if (!is_first) return;
   const std::string json = write(input, records, result, fields, since_start, *folder);
   checkpoints->remove();

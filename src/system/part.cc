@@ -26,35 +26,74 @@ std::vector<double> touched(const System& system) {
   return found;
 }
 
+/// Whether this process is the first one that holds an unknown; `held` says for each unknown whether it holds it.
+std::vector<bool> owned(const std::vector<double>& held, const Processes& processes) {
+  const std::size_t n = held.size();
+  std::vector<double> before(n, 0.);  // processes of lower rank that hold it
+  for (int rank = 0; rank + 1 < processes.count(); ++rank) {
+    std::vector<double> of_rank = rank == processes.rank() ? held : std::vector<double>(n, 0.);
+    processes.sum(of_rank.data(), static_cast<int>(n));
+    if (rank < processes.rank())
+      for (std::size_t i = 0; i < n; ++i) before[i] += of_rank[i];
+  }
+  std::vector<bool> own;
+  for (std::size_t i = 0; i < n; ++i) own.push_back(held[i] != 0. && before[i] == 0.);
+  return own;
+}
+
 /// The unknowns of a system that one process holds.
 class Part {
  public:
   Part(const System& system, const std::vector<int>& on_all, const Processes& processes)
-      : index(static_cast<std::size_t>(system.size()), -1), is_first_(processes.rank() == 0) {
+      : index(static_cast<std::size_t>(system.size()), -1) {
     const std::vector<double> here = touched(system);
     std::vector<double> holders = here;
     processes.sum(holders.data(), system.size());
-    is_shared_.assign(holders.size(), false);
-    for (int i = 0; i < system.size(); ++i) is_shared_[i] = holders[i] != 1. || i >= system.n_free();
-    for (const int i : on_all) is_shared_[i] = true;
-    for (int i = 0; i < system.size(); ++i)
-      if (here[i] != 0. || is_shared_[i]) {
-        index[i] = static_cast<int>(unknowns.size());
-        unknowns.push_back(i);
-      }
+    std::vector<bool> everywhere(holders.size(), false);
+    for (int i = 0; i < system.size(); ++i) everywhere[i] = holders[i] == 0. || i >= system.n_free();
+    for (const int i : on_all) everywhere[i] = true;
+    std::vector<double> held_shared;
+    for (int i = 0; i < system.size(); ++i) {
+      const bool shared = everywhere[i] || holders[i] > 1.;
+      shared_number_.push_back(shared ? static_cast<int>(held_shared.size()) : -1);
+      if (shared) held_shared.push_back(everywhere[i] ? 1. : here[i]);
+      if (shared ? held_shared.back() == 0. : here[i] == 0.) continue;
+      index[i] = static_cast<int>(unknowns.size());
+      unknowns.push_back(i);
+    }
+    owns_shared_ = owned(held_shared, processes);
   }
 
-  bool is_shared(int whole) const { return is_shared_[whole]; }
+  /// Number among the shared unknowns of all processes; -1 where no other process holds the unknown. Those that are
+  /// prescribed are the last ones.
+  int shared_number(int whole) const { return shared_number_[whole]; }
   /// Whether this process counts for the unknown; exactly one process does.
-  bool owns(int whole) const { return is_shared_[whole] ? is_first_ : index[whole] >= 0; }
+  bool owns(int whole) const {
+    return shared_number_[whole] >= 0 ? owns_shared_[shared_number_[whole]] : index[whole] >= 0;
+  }
 
   std::vector<int> index;     ///< per unknown of the whole system
   std::vector<int> unknowns;  ///< unknowns held, as numbers of the whole system
 
  private:
-  bool is_first_;
-  std::vector<bool> is_shared_;
+  std::vector<int> shared_number_;
+  std::vector<bool> owns_shared_;
 };
+
+/// The shared ones among the free unknowns.
+Sharing sharing_of(const System& system, const Part& part, std::shared_ptr<const Processes> processes) {
+  Sharing sharing;
+  sharing.processes = std::move(processes);
+  for (int i = 0; i < system.n_free(); ++i) {
+    const int number = part.shared_number(i);
+    if (number < 0) continue;
+    ++sharing.n_all;
+    if (part.index[i] < 0) continue;
+    sharing.unknowns.push_back(part.index[i]);
+    sharing.numbers.push_back(number);
+  }
+  return sharing;
+}
 
 SparseMatrix restricted(const SparseMatrix& A, const Part& part) {
   std::vector<int> outer{0}, inner;
@@ -107,13 +146,12 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
   for (const IndexRange& block : system.blocks)
     if (const int begin = part.index[block.begin]; begin >= 0) blocks.push_back({begin, begin + block.size()});
   system.blocks = std::move(blocks);
+  system.sharing = sharing_of(system, part, std::move(processes));
+  for (int i = 0; i < system.n_free(); ++i)
+    system.n_phi_elsewhere += part.index[i] < 0 && system.field[i] == Field::pressure_impulse;
   std::vector<Field> field;
-  for (const int i : part.unknowns) {
-    if (part.is_shared(i) && i < system.n_free()) system.sharing.unknowns.push_back(part.index[i]);
-    field.push_back(system.field[i]);
-  }
+  for (const int i : part.unknowns) field.push_back(system.field[i]);
   system.field = std::move(field);
-  system.sharing.processes = std::move(processes);
   return part.index;
 }
 

@@ -9,10 +9,10 @@ namespace upbead {
 ///
 /// Before, M, C, K and the radiation are those of this process's own cells, and their sums over all processes are
 /// those of the whole system; loads and readings are whole. After, the process holds the unknowns that its cells
-/// touch, all unknowns that the cells of several processes touch, `on_all`, and the prescribed ones; they keep their
-/// order. Loads and readings are divided too: their sum over all processes is the whole. So, if each process knows x
-/// in its unknowns, M x, b'x, a reading and every energy are sums over processes, and only solves need more
-/// communication. All processes must call it together. Throws NumericsError where their systems differ in size.
+/// touch, `on_all`, and the prescribed ones; they keep their order. Loads and readings are divided too: their sum over
+/// all processes is the whole. So, if each process knows x in its unknowns, M x, b'x, a reading and every energy are
+/// sums over processes, and only solves need more communication. All processes must call it together. Throws
+/// NumericsError where their systems differ in size.
 std::vector<int> divide(System& system, const std::vector<int>& on_all, std::shared_ptr<const Processes> processes);
 
 }  // namespace upbead

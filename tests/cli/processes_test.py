@@ -5,13 +5,14 @@ usage: processes_test.py PROGRAM CASES_FOLDER
 """
 
 import json
+import os
 import subprocess
 import sys
 
 import h5py
 import numpy as np
 
-from program import CASES, PROGRAM, ProgramTest, main
+from program import CASES, PROGRAM, ProgramTest, main, upbead
 
 CASE = CASES / "fig2b-prototype.toml"
 # without symmetry, which makes readings vanish; every kind of flow and side; an elastic caisson softer than concrete,
@@ -28,12 +29,20 @@ SCENES = {
 }
 
 
-def mpirun(n, *arguments, cwd):
+# As srun --mpi=pmix starts a program: with the variables of PMIx and Slurm, and without those of Open MPI.
+AS_SRUN = '''for name in $(env | grep -oE "^(OMPI|ORTE)_[A-Za-z0-9_]*"); do unset $name; done
+export SLURM_NODELIST=here SLURM_JOBID=1 SLURM_STEPID=0 SLURM_JOB_ID=1 SLURM_STEP_ID=0
+export SLURM_PROCID=$PMIX_RANK SLURM_STEP_NUM_TASKS=2
+exec "$@"
+'''
+
+
+def mpirun(n, *arguments, cwd, by=()):
     # a container may forbid binding to cores and copying between processes
     launch = ["mpirun", "--quiet", "-n", n, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
               "btl_vader_single_copy_mechanism", "none"]
-    return subprocess.run([*map(str, launch), PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True,
-                          timeout=300)
+    return subprocess.run([*map(str, launch), *by, PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True,
+                          text=True, timeout=300)
 
 
 def with_keys(keys):
@@ -41,8 +50,9 @@ def with_keys(keys):
 
 
 class Processes(ProgramTest):
-    def run_on(self, n, *keys):
-        done = mpirun(n, "run", CASE, *with_keys([*SCENE, *keys]), "--out", f"on{n}", "--json", cwd=self.folder)
+    def run_on(self, n, *keys, by=(), petsc=()):
+        done = mpirun(n, "run", CASE, *with_keys([*SCENE, *keys]), "--out", f"on{n}", "--json", *petsc, cwd=self.folder,
+                      by=by)
         self.assertEqual(done.returncode, 0, done.stderr)
         summary = json.loads(done.stdout)
         self.assertEqual(summary["discretisation"]["processes"], n)
@@ -68,7 +78,7 @@ class Processes(ProgramTest):
             self.assertLessEqual(np.abs(values - alone[name][0]).max(), 1e-9 * peak, f"{name} on {n}")
         shear, peak = (np.abs(each).max() for each in (self.histories(n)["shear_force"][0] - alone["shear_force"][0],
                                                        alone["shear_force"][0]))
-        self.assertLess(shear, 1e-9 * peak)
+        self.assertLess(shear, 1e-10 * peak)
 
     def compare(self, keys, numbers):
         """The answer of one process is that of so many."""
@@ -79,19 +89,55 @@ class Processes(ProgramTest):
             for key in ("cells", "unknowns", "steps", "solves", "factorisations"):
                 self.assertEqual(summary["discretisation"][key], alone["discretisation"][key])
             peaks = [each["response"]["peak_shear"] for each in (summary, alone)]
-            self.assertAlmostEqual(peaks[0] / peaks[1], 1, delta=1e-9)
+            self.assertAlmostEqual(peaks[0] / peaks[1], 1, delta=1e-10)
             self.assertLess(summary["response"]["reaction_mismatch"], 1e-9)
             self.assertLess(summary["response"]["energy_mismatch"], 1e-9)
             for part in ("work", "kinetic", "strain", "fluid", "drag", "damping", "radiated"):
                 self.assertAlmostEqual(summary["energy"][part], alone["energy"][part], delta=1e-9 * alone["energy"]["work"])
 
     def test_gives_the_same_answer(self):
-        self.compare(SCENES["elastic"], [2])
+        self.compare(SCENES["elastic"], [2, 3])
 
-    def test_gives_the_same_answer_to_every_scene_on_two_and_four_at_length(self):
+    def test_gives_the_same_answer_to_every_scene_on_two_to_four_at_length(self):
         for scene, keys in SCENES.items():
             with self.subTest(scene):
-                self.compare(keys, [2, 4])
+                self.compare(keys, [2, 3, 4])
+
+    def test_is_started_by_srun_too(self):
+        self.run_on(1)
+        self.run_on(2, by=("bash", "-c", AS_SRUN, "srun"))
+        self.expect_same_history(2)
+
+    def test_says_where_mpi_connects_no_process_that_a_launcher_has_started(self):
+        environment = {**os.environ, "SLURM_PROCID": "0", "SLURM_STEP_NUM_TASKS": "2"}
+        done = upbead("run", CASE, *with_keys(SCENE), "--out", "alone", cwd=self.folder, env=environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("SLURM_PROCID tells that 2 processes were started, but MPI connects none", done.stderr)
+        self.assertNotIn("divided among", done.stdout)
+
+    def test_takes_options_of_petsc(self):
+        self.run_on(1)
+        self.run_on(2, petsc=("--petsc", "-mat_mumps_icntl_14 400 -mat_mumps_icntl_7 0"))
+        self.expect_same_history(2)
+
+    def test_obeys_options_of_petsc(self):
+        # MUMPS fails in so little room, which is told, and no NaN is written
+        done = mpirun(2, "run", CASE, *with_keys(SCENE), "--out", "none", "--petsc", "-mat_mumps_icntl_23 1",
+                      cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("upbead: "), 1, done.stderr)
+        self.assertIn("MUMPS cannot factorise", done.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_tells_what_is_no_option_of_petsc(self):
+        for n, options, what in ((2, "mat_mumps_icntl_14 400", "'mat_mumps_icntl_14' is no option of PETSc"),
+                                 (2, "-mat_mumps_icntl_14 400 500", "'500' is no option of PETSc"),
+                                 (2, "-mat_mumps_icntl_99 1", "nothing in PETSc asks for -mat_mumps_icntl_99"),
+                                 (1, "-mat_mumps_icntl_14 400", "--petsc is for several processes")):
+            done = mpirun(n, "run", CASE, *with_keys(SCENE), "--out", "none", "--petsc", options, cwd=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(done.stderr.count(what), 1, done.stderr)
+            self.assertEqual(self.left_behind(), [])
 
     def test_marches_by_itself_and_finds_the_same_mesh_at_length(self):
         keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.3", "accuracy.tolerance=0.03"]

@@ -1,9 +1,8 @@
-// Claims: a system divided among processes marches like the whole system, with the same readings and energies; each
-// process holds its own and the shared unknowns.
-// Tolerance: 1e-11, some hundred steps of round-off.
+// Claims, on as many processes as mpirun starts: a system divided among them marches like the whole system, with the
+// same readings and energies; each process holds its own unknowns and those that it shares. Tolerance: 1e-11, some
+// hundred steps of round-off.
 #include <gtest/gtest.h>
 
-#include "../support/thread_processes.h"
 #include "sample_system.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
@@ -13,14 +12,18 @@ namespace divided_test {
 using namespace upbead;
 using namespace upbead::test;
 
-/// Copies of the sample system, joined at two u, one phi and the prescribed phi.
+/// Copies of the sample system, joined at two u, one phi and the prescribed phi; the last of three copies and more has
+/// the second u for itself.
 class Joined {
  public:
-  explicit Joined(int count) : count_(count), sample_(sample_system({1., 1., 1., 0.1, false, true})) {}
+  explicit Joined(int count)
+      : count_(count), n_own_u_(count > 2 ? 1 : 0), sample_(sample_system({1., 1., 1., 0.1, false, true})) {}
 
+  int size() const { return n_shared + n_own * count_ + n_own_u_ + 1; }
   /// Index in the whole system of unknown i of one copy: the shared unknowns come first, then copy by copy.
   int index(int copy, int i) const {
-    if (i == sample_.size() - 1) return n_shared + n_own * count_;
+    if (i == sample_.size() - 1) return size() - 1;
+    if (i == shared[1] && copy == count_ - 1 && n_own_u_ > 0) return size() - 2;
     for (int k = 0; k < n_shared; ++k)
       if (i == shared[k]) return k;
     return n_shared + n_own * copy + i -
@@ -30,7 +33,7 @@ class Joined {
   /// With the matrices of the copies from `begin` to `end`.
   System system(int begin, int end) const {
     System system;
-    system.field.assign(static_cast<std::size_t>(n_shared + n_own * count_ + 1), Field::displacement);
+    system.field.assign(static_cast<std::size_t>(size()), Field::displacement);
     system.n_prescribed = 1;
     for (int copy = 0; copy < count_; ++copy) {
       for (int i = 0; i < sample_.size(); ++i) system.field[index(copy, i)] = sample_.field[i];
@@ -62,7 +65,7 @@ class Joined {
   }
 
   static constexpr int shared[] = {0, 1, 10}, n_shared = 3, n_own = 10;
-  int count_;
+  int count_, n_own_u_;
   System sample_;
 };
 
@@ -85,68 +88,82 @@ void expect_equal(const Response& found, const Response& whole) {
   EXPECT_LT(a.mismatch(), 1e-12);
 }
 
-class Divided : public testing::TestWithParam<std::tuple<int, SchemeKind>> {};
+class Division : public testing::Test {
+ protected:
+  std::shared_ptr<const Processes> processes_ = started_processes();  // at least two
+  int rank_ = processes_->rank(), count_ = processes_->count();
+};
+
+class Divided : public Division, public testing::WithParamInterface<SchemeKind> {};
 
 TEST_P(Divided, MarchesAsTheWholeDoes) {
-  const auto [count, kind] = GetParam();
-  const Joined joined(count);
-  const Response whole = run(joined.system(0, count), kind);
-  std::vector<Response> found(static_cast<std::size_t>(count));
-  std::vector<std::vector<int>> index(found.size());
-  test::on_processes(count, [&, scheme = kind](const std::shared_ptr<const Processes>& processes) {
-    const int rank = processes->rank();
-    System part = joined.system(rank, rank + 1);
-    index[rank] = divide(part, {}, processes);
-    found[rank] = run(part, scheme);
-  });
-  for (int rank = 0; rank < count; ++rank) {
-    expect_equal(found[rank], whole);
-    EXPECT_EQ(found[rank].final_state.x.size(), 14);
-    for (std::size_t i = 0; i < index[rank].size(); ++i) {
-      if (index[rank][i] < 0) continue;
-      const double x = found[rank].final_state.x[index[rank][i]];
-      EXPECT_NEAR(x, whole.final_state.x[static_cast<Eigen::Index>(i)], 1e-11);
+  const Joined joined(count_);
+  const Response whole = run(joined.system(0, count_), GetParam());
+  System part = joined.system(rank_, rank_ + 1);
+  const std::vector<int> index = divide(part, {}, processes_);
+  const Response found = run(part, GetParam());
+  expect_equal(found, whole);
+  EXPECT_EQ(found.final_state.x.size(), 14);
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (index[i] >= 0) {
+      EXPECT_NEAR(found.final_state.x[index[i]], whole.final_state.x[static_cast<Eigen::Index>(i)], 1e-11);
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, Divided, testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha));
+
+TEST_F(Division, HoldsOwnAndSharedUnknownsInTheirOrder) {
+  const Joined joined(count_);
+  System part = joined.system(rank_, rank_ + 1);
+  const std::vector<int> index = divide(part, {joined.index(1, 2)}, processes_);
+  const int own = rank_ == 1 ? 0 : 1;  // the unknown that every process is asked to hold is additional elsewhere
+  EXPECT_EQ(part.size(), 14 + own);
+  EXPECT_EQ(part.n_prescribed, 1);
+  EXPECT_EQ(part.loads[1].prescribed, part.size() - 1);
+  EXPECT_EQ(part.blocks.size(), 2U);
+  EXPECT_EQ(index[joined.index(rank_, 6)], part.blocks[0].begin);
+  for (int other = 0; other < count_; ++other) EXPECT_EQ(index[joined.index(other, 4)] >= 0, other == rank_);
+  const int asked = index[joined.index(1, 2)];
+  EXPECT_EQ(part.sharing.n_all, 4);
+  if (count_ > 2 && rank_ == count_ - 1) {  // without the second u, which the others share
+    EXPECT_EQ(part.sharing.unknowns, (std::vector<int>{0, 1, asked}));
+    EXPECT_EQ(part.sharing.numbers, (std::vector<int>{0, 2, 3}));
+  } else {
+    EXPECT_EQ(part.sharing.unknowns, (std::vector<int>{0, 1, 2, asked}));
+    EXPECT_EQ(part.sharing.numbers, (std::vector<int>{0, 1, 2, 3}));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Processes, Divided,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha)));
-
-TEST(Division, HoldsOwnAndSharedUnknownsInTheirOrder) {
-  const Joined joined(3);
-  test::on_processes(3, [&](const std::shared_ptr<const Processes>& processes) {
-    const int rank = processes->rank();
-    System part = joined.system(rank, rank + 1);
-    const std::vector<int> index = divide(part, {joined.index(1, 2)}, processes);
-    const int own = rank == 1 ? 0 : 1;  // the unknown that every process is asked to hold is additional elsewhere
-    EXPECT_EQ(part.size(), 14 + own);
-    EXPECT_EQ(part.n_prescribed, 1);
-    EXPECT_EQ(part.loads[1].prescribed, part.size() - 1);
-    EXPECT_EQ(part.blocks.size(), 2U);
-    EXPECT_EQ(index[joined.index(rank, 6)], part.blocks[0].begin);
-    EXPECT_EQ(part.sharing.unknowns, (std::vector<int>{0, 1, 2, index[joined.index(1, 2)]}));
-    for (int other = 0; other < 3; ++other) EXPECT_EQ(index[joined.index(other, 4)] >= 0, other == rank);
-  });
+/// One process counts for each unknown: so loads and readings are sums over processes.
+TEST_F(Division, DividesLoadsAndReadings) {
+  const Joined joined(count_);
+  System part = joined.system(rank_, rank_ + 1);
+  const System whole = joined.system(0, count_);
+  const std::vector<int> index = divide(part, {}, processes_);
+  Vector load = Vector::Zero(whole.size()), reading = load;
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (index[i] >= 0) load[static_cast<Eigen::Index>(i)] = part.loads[0].vector[index[i]];
+  for (const auto& [i, weight] : part.readings[2].acceleration)
+    reading[std::find(index.begin(), index.end(), i) - index.begin()] += weight;
+  processes_->sum(load.data(), whole.size());
+  processes_->sum(reading.data(), whole.size());
+  EXPECT_EQ(load, whole.loads[0].vector);
+  for (const auto& [i, weight] : whole.readings[2].acceleration) EXPECT_EQ(reading[i], weight);
+  EXPECT_EQ(reading.sum(), 2.);
 }
 
-TEST(Division, NoticesSystemsOfDifferentSizes) {
-  test::on_processes(2, [&](const std::shared_ptr<const Processes>& processes) {
-    System part = Joined(2 + processes->rank()).system(0, 1);
-    EXPECT_THROW(divide(part, {}, processes), NumericsError);
-  });
+TEST_F(Division, NoticesSystemsOfDifferentSizes) {
+  System part = Joined(2 + rank_).system(0, 1);
+  EXPECT_THROW(divide(part, {}, processes_), NumericsError);
 }
 
-TEST(Division, DoesNotStopEarly) {
-  test::on_processes(1, [&](const std::shared_ptr<const Processes>& processes) {
-    System part = Joined(1).system(0, 1);
-    divide(part, {}, processes);
-    const auto scheme = make_scheme(part);
-    MarchOptions options;
-    options.stop_at_energy = 0.1;
-    EXPECT_THROW(march(part, *scheme, make_time_grid({}, 1., 0.1), options), std::invalid_argument);
-  });
+TEST_F(Division, DoesNotStopEarly) {
+  System part = Joined(count_).system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  const auto scheme = make_scheme(part);
+  MarchOptions options;
+  options.stop_at_energy = 0.1;
+  EXPECT_THROW(march(part, *scheme, make_time_grid({}, 1., 0.1), options), std::invalid_argument);
 }
 
 }  // namespace divided_test

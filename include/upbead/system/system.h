@@ -105,6 +105,7 @@ struct System {
   int n_prescribed = 0;
   std::optional<Interface> interface;  ///< its unknowns are the last of the prescribed ones
   Sharing sharing;  ///< of the free unknowns with other processes; part.h says what is then a sum over processes
+  int n_phi_elsewhere = 0;  ///< free phi that other processes alone hold
 
   bool is_divided() const { return sharing.processes != nullptr; }
   int size() const { return static_cast<int>(field.size()); }

@@ -1,17 +1,28 @@
 #include "ldlt.h"
 
 #include <algorithm>
-#include <utility>
 
+#include "algebra/fail_together.h"
 #include "triangular_solve.h"
 
 namespace upbead::detail {
 
-Ldlt::Ldlt(const SparseMatrix& A, Sharing sharing)
-    : sharing_(std::move(sharing)),
-      nodes_(find_supernodes(A, sharing_.unknowns)),
+namespace {
+
+/// Fills the upper triangle of an n x n matrix by its lower one.
+void mirror(std::vector<double>& matrix, int n) {
+  Eigen::Map<Eigen::MatrixXd> whole(matrix.data(), n, n);
+  for (int j = 1; j < n; ++j) whole.col(j).head(j) = whole.row(j).head(j).transpose();
+}
+
+}  // namespace
+
+Ldlt::Ldlt(const SparseMatrix& A, const Sharing& sharing)
+    : sharing_(sharing),
+      nodes_(find_supernodes(A, sharing.unknowns)),
       entries_(find_panel_entries(A, nodes_)),
       factor_(make_factor(nodes_)),
+      root_(sharing.n_all > 0 ? sharing.processes->shared_matrix(sharing) : nullptr),
       work_size_(static_cast<std::size_t>(triangular_solve_work(nodes_))) {}
 
 void Ldlt::factorise(const SparseMatrix& A, const Vector& scale) {
@@ -19,13 +30,15 @@ void Ldlt::factorise(const SparseMatrix& A, const Vector& scale) {
   for (int i = 0; i < A.rows(); ++i)
     for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
       values[k] = scale[i] * A.valuePtr()[k] * scale[A.innerIndexPtr()[k]];
-  const auto sum = [this](std::vector<double>& columns) {
-    sharing_.processes->sum(columns.data(), static_cast<int>(columns.size()));
-  };
-  if (is_shared())
-    detail::factorise(nodes_, entries_, values.data(), factor_, sum);
-  else
-    detail::factorise(nodes_, entries_, values.data(), factor_, {}, signs_of(A));
+  std::vector<double> left;
+  fail_together(sharing_, [&] {
+    const std::vector<int> signs = root_ ? std::vector<int>() : signs_of(A);
+    left = detail::factorise(nodes_, entries_, values.data(), factor_, signs);
+  });
+  if (root_) {
+    mirror(left, nodes_.n_root());
+    root_->factorise(left);
+  }
   scale_.resize(A.rows());
   for (int k = 0; k < A.rows(); ++k) scale_[k] = scale[nodes_.order[k]];
 }
@@ -54,11 +67,14 @@ void Ldlt::unload(Eigen::Ref<Eigen::MatrixXd> X) const {
 }
 
 void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const {
-  load(B);
-  const SumRoot sum = [this](double* root, int n_roots) { sum_root(root, n_roots); };
-  triangular_solve(view(nodes_, factor_), x_.get(), static_cast<int>(B.cols()), work_.get(),
-                   is_shared() ? sum : SumRoot());
-  unload(X);
+  begin(B);
+  if (root_) solve_root(static_cast<int>(B.cols()));
+  finish(X);
+}
+
+void Ldlt::solve_root(int n_columns) const {
+  const auto n = static_cast<std::ptrdiff_t>(nodes_.order.size());
+  for (int c = 0; c < n_columns; ++c) root_->solve(x_.get() + (c + 1) * n - nodes_.n_root());
 }
 
 void Ldlt::begin(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
@@ -75,18 +91,15 @@ void Ldlt::finish(Eigen::Ref<Eigen::MatrixXd> X) const {
   unload(X);
 }
 
-void Ldlt::sum_root(double* root, int n_columns) const {
-  const auto n = static_cast<std::ptrdiff_t>(nodes_.order.size());
-  const auto n_root = static_cast<std::ptrdiff_t>(sharing_.unknowns.size());
-  root_.resize(static_cast<std::size_t>(n_root * n_columns));
-  for (int c = 0; c < n_columns; ++c) std::copy_n(root + c * n, n_root, root_.begin() + c * n_root);
-  sharing_.processes->sum(root_.data(), static_cast<int>(root_.size()));
-  for (int c = 0; c < n_columns; ++c) std::copy_n(root_.begin() + c * n_root, n_root, root + c * n);
-}
-
 Inertia Ldlt::inertia() const {
   const auto negative = (factor_.inverse_pivot.array() < 0.).count();
   return {static_cast<int>(factor_.inverse_pivot.size() - negative), static_cast<int>(negative)};
+}
+
+Inertia Ldlt::shared_inertia() const {
+  if (!root_) return {};
+  const int negative = root_->n_negative();
+  return {sharing_.n_all - negative, negative};
 }
 
 double Ldlt::growth() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "algebra/ldlt/slabs.h"
 #include "upbead/base/error.h"
@@ -76,12 +77,11 @@ class Multifrontal {
         left_(first_child_.size()),
         place_(nodes.order.size()) {}
 
-  void run(Factor& factor, const std::function<void(std::vector<double>&)>& sum_root) {
+  void eliminate_all(Factor& factor) {
     double* out = factor.entries.get();
     factor.n_stand_ins = 0;
-    for (int s = 0; s < nodes_.count(); ++s) {
+    for (int s = 0; s < nodes_.n_eliminated(); ++s) {
       gather(s);
-      if (sum_root && s + 1 == nodes_.count()) sum_root(columns_);
       const Panel panel{columns_.data(), nodes_.height(s), nodes_.width(s)};
       factor.n_stand_ins += eliminate(s, panel);
       write_slabs(panel, sign_.data(), factor.inverse_pivot.data() + nodes_.first[s], out, work_);
@@ -91,6 +91,13 @@ class Multifrontal {
         first_child_[parent] = s;
       }
     }
+  }
+
+  /// Once all others are eliminated.
+  std::vector<double> root() {
+    if (!nodes_.has_root) return {};
+    gather(nodes_.count() - 1);
+    return std::move(columns_);
   }
 
  private:
@@ -159,15 +166,17 @@ class Multifrontal {
 
 Factor make_factor(const Supernodes& nodes) {
   Factor factor;
-  for (int s = 0; s < nodes.count(); ++s) factor.n_entries += n_slab_entries(nodes.height(s), nodes.width(s));
+  for (int s = 0; s < nodes.n_eliminated(); ++s) factor.n_entries += n_slab_entries(nodes.height(s), nodes.width(s));
   factor.entries = make_big_array(factor.n_entries);
-  factor.inverse_pivot.resize(static_cast<Eigen::Index>(nodes.order.size()));
+  factor.inverse_pivot.resize(static_cast<Eigen::Index>(nodes.order.size()) - nodes.n_root());
   return factor;
 }
 
-void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor,
-               const std::function<void(std::vector<double>&)>& sum_root, const std::vector<int>& signs) {
-  Multifrontal(nodes, entries, values, signs).run(factor, sum_root);
+std::vector<double> factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values,
+                              Factor& factor, const std::vector<int>& signs) {
+  Multifrontal work(nodes, entries, values, signs);
+  work.eliminate_all(factor);
+  return work.root();
 }
 
 }  // namespace upbead::detail

@@ -131,7 +131,8 @@ Supernodes find_supernodes(const SparseMatrix& A, const std::vector<int>& last) 
   nodes.first = copied(L->super, L->nsuper + 1);
   nodes.row_begin = copied(L->pi, L->nsuper + 1);
   nodes.rows = copied(L->s, static_cast<std::size_t>(nodes.row_begin.back()));
-  if (!last.empty()) cut_off_root(nodes, last);
+  nodes.has_root = !last.empty();
+  if (nodes.has_root) cut_off_root(nodes, last);
   find_parents(nodes);
   return nodes;
 }

@@ -16,7 +16,11 @@ struct Supernodes {
   std::vector<int> row_begin;  ///< where the rows of each supernode begin in `rows`
   std::vector<int> rows;       ///< ascending, in elimination order; a supernode's own columns come first
   std::vector<int> parent;     ///< the supernode that holds the first row below the triangle; -1: none
+  bool has_root = false;       ///< the last supernode is a root, which is left when all others are eliminated
 
+  /// Supernodes that are eliminated.
+  int n_eliminated() const { return count() - (has_root ? 1 : 0); }
+  int n_root() const { return has_root ? width(count() - 1) : 0; }
   int count() const { return static_cast<int>(parent.size()); }
   int width(int s) const { return first[s + 1] - first[s]; }
   int height(int s) const { return row_begin[s + 1] - row_begin[s]; }
@@ -26,9 +30,9 @@ struct Supernodes {
 /// Rajamanickam, ACM Trans. Math. Softw. 35 (2008) 22). Reads the pattern of the lower triangle of A. Throws
 /// NumericsError where CHOLMOD fails.
 ///
-/// The `last` unknowns (ascending) are eliminated last, in this order, and are the columns of the last supernode, the
-/// root. The root is taken as dense, as other processes may have entries where A has none. The ordering of the other
-/// unknowns takes account of the root (constrained minimum degree, CAMD).
+/// The `last` unknowns (ascending) come last, in this order, and are the columns of the root. It is taken as dense, as
+/// the Schur complement in it is. The ordering of the other unknowns takes account of it (constrained minimum degree,
+/// CAMD).
 Supernodes find_supernodes(const SparseMatrix& A, const std::vector<int>& last = {});
 
 }  // namespace upbead::detail

@@ -14,7 +14,7 @@ int triangular_solve_work(const Supernodes& nodes) {
 
 FactorView view(const Supernodes& nodes, const Factor& factor) {
   return {static_cast<int>(nodes.order.size()),
-          nodes.count(),
+          nodes.n_eliminated(),
           nodes.first.data(),
           nodes.row_begin.data(),
           nodes.rows.data(),
@@ -45,20 +45,6 @@ void backward_half(const FactorView& factor, const double* end, double* x, int n
   if (has_avx2()) return backward_avx2(factor, end, x, n_columns, work);
 #endif
   backward_baseline(factor, end, x, n_columns, work);
-}
-
-void triangular_solve(const FactorView& factor, double* x, int n_columns, double* work, const SumRoot& sum_root) {
-  if (!sum_root) return backward_half(factor, forward_half(factor, x, n_columns, work), x, n_columns, work);
-  FactorView interior = factor, root = factor;
-  interior.n_supernodes = factor.n_supernodes - 1;
-  const double* end = forward_half(interior, x, n_columns, work);
-  root.n_supernodes = 1;
-  root.first += interior.n_supernodes;
-  root.row_begin += interior.n_supernodes;
-  root.entries = end;
-  sum_root(x + root.first[0], n_columns);
-  backward_half(root, forward_half(root, x, n_columns, work), x, n_columns, work);
-  backward_half(interior, end, x, n_columns, work);
 }
 
 }  // namespace upbead::detail
