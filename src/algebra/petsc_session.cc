@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/cores.h"
+#include "base/launch.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -25,7 +26,11 @@ void start_among_processes() {
 
 /// Without these settings, Open MPI looks for a launcher's daemon and for network devices, and makes a folder in /tmp
 /// that all lone processes of a user share: a process that ends removes it while another starts, which then fails.
+///
+/// Where SLURM_NODELIST tells that srun has started it, but not by a PMI that Open MPI knows, Open MPI ends the
+/// process.
 void start_as_lone_process() {
+  unsetenv("SLURM_NODELIST");
   setenv("OMPI_MCA_btl", "self", keep_the_users);
   setenv("OMPI_MCA_pml", "ob1", keep_the_users);
   setenv("OMPI_MCA_ess", "singleton", keep_the_users);
@@ -65,6 +70,7 @@ PetscSession::PetscSession() {
   PetscBool running = PETSC_FALSE;
   PetscInitialized(&running);
   if (running == PETSC_TRUE) return;
+  if (const auto launch = told_launch(); launch && launch->size == 1) leave_launcher();  // MPI would connect nobody
   is_launched() ? start_among_processes() : start_as_lone_process();
   require_memory_to_start();
   PetscErrorCode error = PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");

@@ -83,6 +83,7 @@ void leave_launcher() {
       if (starts_with(text, of_mpi)) names.push_back(text.substr(0, text.find('=')));
   }
   for (const std::string& name : names) unsetenv(name.c_str());
+  unsetenv("SLURM_NODELIST");
 }
 
 }  // namespace upbead

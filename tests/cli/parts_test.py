@@ -277,7 +277,8 @@ class Launchers(PartsTest):
 
     def test_srun_divides_a_study(self):
         (self.folder / "study.toml").write_text(SHORT)
-        step = {"SLURM_STEP_NUM_TASKS": "2", "SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0", "PMIX_RANK": "9"}
+        step = {"SLURM_STEP_NUM_TASKS": "2", "SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0", "SLURM_NODELIST": "here",
+                "PMIX_RANK": "9"}
         first = self.study("--out", "parts", jobs=None, env=without_launcher(SLURM_PROCID="1", **step))
         self.assertEqual(first.stdout, "")
         self.assertRegex(first.stderr, r"part 2/2 has ended; 2 of 4 runs of the study have results; once all have, "

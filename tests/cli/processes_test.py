@@ -109,7 +109,9 @@ class Processes(ProgramTest):
         self.expect_same_history(2)
 
     def test_says_where_mpi_connects_no_process_that_a_launcher_has_started(self):
-        environment = {**os.environ, "SLURM_PROCID": "0", "SLURM_STEP_NUM_TASKS": "2"}
+        # as of srun --mpi=none; by the list of nodes alone, Open MPI would end the process
+        environment = {**os.environ, "SLURM_NODELIST": "here", "SLURM_JOBID": "1", "SLURM_STEPID": "0",
+                       "SLURM_STEP_ID": "0", "SLURM_PROCID": "0", "SLURM_STEP_NUM_TASKS": "2"}
         done = upbead("run", CASE, *with_keys(SCENE), "--out", "alone", cwd=self.folder, env=environment)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("SLURM_PROCID tells that 2 processes were started, but MPI connects none", done.stderr)
