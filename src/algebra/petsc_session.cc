@@ -19,7 +19,7 @@ constexpr int keep_the_users = 0;
 
 /// A solve of several processes is some dozens of messages. A process that waits for one leaves its core to others: by
 /// default Open MPI lets it spin, and where other programs use the cores, too, each message takes a time slice of the
-/// system (measured on two busy cores: 64 s for a march of 0.2 s).
+/// system (measured on two busy cores: 64 s for a run of 0.2 s).
 void start_among_processes() {
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", keep_the_users);
 }

@@ -34,7 +34,7 @@ its strain, or several processes):
   upbead run CASE --checkpoint 600 --resume
 
 On several processes (mpirun -n 2 upbead run CASE, or srun --mpi=pmix) the mesh is divided among them; the answer is
-the same up to round-off. Fields, reduced models and an early stop are for one process alone.
+the same up to round-off. Reduced models, contact and soil that yields or follows its strain are for one process alone.
 
 Examples:
   upbead run cases/fig2b-model.toml

@@ -14,6 +14,7 @@
 #include "case/input_files.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -79,9 +80,12 @@ void check_checkpoints(const Case& input) {
 
 MarchObserver* FieldOutput::begin(const Simulation& simulation) {
   if (!scene_.fields_every) return nullptr;
-  writer_.emplace(simulation.mesh(), simulation.space(), simulation.unknowns(), simulation.scene().time.inertia,
-                  [folder = folder_](const std::string& file) { return folder->path(file); });
-  writer_->take_over(taken_over_);
+  marched_ = &simulation;
+  if (folder_ != nullptr) {
+    writer_.emplace(simulation.mesh(), simulation.space(), simulation.unknowns(), simulation.scene().time.inertia,
+                    [folder = folder_](const std::string& file) { return folder->path(file); });
+    writer_->take_over(taken_over_);
+  }
   return this;
 }
 
@@ -96,9 +100,15 @@ bool FieldOutput::wants(double time) const {
 void FieldOutput::see(const State& state, int, int) {
   if (!wants(state.time)) return;
   const Stopwatch watch;
+  const System& system = marched_->system();
+  write(system.is_divided() ? joined(system, state) : state);
+  seconds_ += watch.seconds();
+}
+
+void FieldOutput::write(const State& state) {
+  if (!writer_) return;
   if (state.time == 0.) writer_->take_over({});  // the march begins anew, as the one before was rejected
   writer_->write(state);
-  seconds_ += watch.seconds();
 }
 
 void FieldOutput::finish() const {

@@ -19,8 +19,8 @@ namespace upbead {
 
 class FieldOutput : public MarchObserver {
  public:
-  /// Where the scene asks for no fields, nothing is written and `folder` may be null. Scene and folder must outlive
-  /// this.
+  /// Where the scene asks for no fields, nothing is written and `folder` may be null. Of several processes the first
+  /// one writes, and `folder` is null on the others. Scene and folder must outlive this.
   FieldOutput(const Scene& scene, const OutputFolder* folder) : scene_(scene), folder_(folder) {}
 
   /// Starts the output of the scene that will be marched; the simulation must outlive this.
@@ -41,7 +41,10 @@ class FieldOutput : public MarchObserver {
   void lay_into(const std::string& other) const;
 
  private:
+  void write(const State& state);
+
   const Scene& scene_;
+  const Simulation* marched_ = nullptr;
   std::optional<FieldWriter> writer_;
   std::vector<std::pair<double, std::string>> taken_over_;
   const OutputFolder* folder_;

@@ -86,7 +86,7 @@ void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients
 
 void EffectiveMatrix::check_inertia(const System& system) const {
   const auto n_phi = std::count(system.field.begin(), system.field.begin() + n_free_, Field::pressure_impulse) +
-                     system.n_phi_elsewhere;
+                     system.part.n_phi_elsewhere;
   const int negative = factors_.inertia().negative;
   if (negative != n_phi)
     throw NumericsError("the effective matrix has " + std::to_string(negative) +

@@ -74,15 +74,14 @@ void sum_over(const Processes& processes, Response& response) {
   }
 }
 
-/// Stops a march once its energy has died away.
+/// Stops a march once its energy has died away. In a divided system that energy is a sum over processes, the same on
+/// all, so that all stop at once.
 class EarlyStop {
  public:
   EarlyStop(const System& system, const Scheme& scheme, double end, double fraction)
       : system_(system), fraction_(fraction) {
     if (fraction > 0. && !scheme.accounts_energy())
       throw std::invalid_argument("stop_at_energy needs a scheme that accounts for energy");
-    if (fraction > 0. && system.is_divided())
-      throw std::invalid_argument("stop_at_energy is not done on several processes");
     for (double kink : kinks(system))
       if (kink < end) last_kink_ = std::max(last_kink_, kink);
   }
@@ -90,8 +89,11 @@ class EarlyStop {
     for (const EnergyAccount& energy : so_far) largest_ = std::max(largest_, energy.stored());
   }
   bool due(const EnergyAccount& energy, double time, double step) {
-    largest_ = std::max(largest_, energy.stored());
-    return fraction_ > 0. && time > last_kink_ && energy.stored() < fraction_ * largest_ && loads_are_over(time, step);
+    if (fraction_ <= 0.) return false;
+    double stored = energy.stored();
+    if (system_.is_divided()) system_.sharing.processes->sum(&stored, 1);
+    largest_ = std::max(largest_, stored);
+    return time > last_kink_ && stored < fraction_ * largest_ && loads_are_over(time, step);
   }
 
  private:

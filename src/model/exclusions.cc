@@ -184,8 +184,6 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
           {Treatment::several_processes, by_reduced, "no reduced model is made"},
-          {Treatment::several_processes, early_stop, "no run stops early"},
-          {Treatment::several_processes, fields, "no fields are written"},
           {Treatment::several_processes, contact, "no contact is solved"},
           {Treatment::several_processes, strain, "soil does not follow its strain"},
           {Treatment::several_processes, yielding, "no soil yields"},

@@ -147,12 +147,27 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
     if (const int begin = part.index[block.begin]; begin >= 0) blocks.push_back({begin, begin + block.size()});
   system.blocks = std::move(blocks);
   system.sharing = sharing_of(system, part, std::move(processes));
-  for (int i = 0; i < system.n_free(); ++i)
-    system.n_phi_elsewhere += part.index[i] < 0 && system.field[i] == Field::pressure_impulse;
+  system.part.n_whole = system.size();
+  for (int i = 0; i < system.size(); ++i) {
+    if (part.owns(i)) system.part.counted.emplace_back(part.index[i], i);
+    system.part.n_phi_elsewhere +=
+        part.index[i] < 0 && i < system.n_free() && system.field[i] == Field::pressure_impulse;
+  }
   std::vector<Field> field;
   for (const int i : part.unknowns) field.push_back(system.field[i]);
   system.field = std::move(field);
   return part.index;
+}
+
+State joined(const System& part, const State& state) {
+  State whole;
+  whole.time = state.time;
+  for (Vector State::*values : {&State::x, &State::v, &State::a}) {
+    Vector& all = whole.*values = Vector::Zero(part.part.n_whole);
+    for (const auto& [here, number] : part.part.counted) all[number] = (state.*values)[here];
+    part.sharing.processes->sum(all.data(), part.part.n_whole);
+  }
+  return whole;
 }
 
 }  // namespace upbead

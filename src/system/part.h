@@ -1,4 +1,4 @@
-// A system divided among processes.
+// A system divided among processes, and its state joined again.
 #pragma once
 
 #include "upbead/system/system.h"
@@ -14,5 +14,8 @@ namespace upbead {
 /// sums over processes, and only solves need more communication. All processes must call it together. Throws
 /// NumericsError where their systems differ in size.
 std::vector<int> divide(System& system, const std::vector<int>& on_all, std::shared_ptr<const Processes> processes);
+
+/// The state of the whole system, from those of all parts. All processes must call it together, and each gets it.
+State joined(const System& part, const State& state);
 
 }  // namespace upbead

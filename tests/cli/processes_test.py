@@ -6,6 +6,7 @@ usage: processes_test.py PROGRAM CASES_FOLDER
 
 import json
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -13,6 +14,9 @@ import h5py
 import numpy as np
 
 from program import CASES, PROGRAM, ProgramTest, main, upbead
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
+from report import vtu  # noqa: E402
 
 CASE = CASES / "fig2b-prototype.toml"
 # without symmetry, which makes readings vanish; every kind of flow and side; an elastic caisson softer than concrete,
@@ -103,6 +107,32 @@ class Processes(ProgramTest):
             with self.subTest(scene):
                 self.compare(keys, [2, 3, 4])
 
+    def test_stops_early_where_one_process_does(self):
+        alone, both, three = (self.run_on(n, *SCENES["rigid"], "time.end=3", "time.stop_at_energy=0.5")
+                              for n in (1, 2, 3))
+        self.assertTrue(alone["discretisation"]["stopped_early"])
+        self.assertEqual(both["discretisation"]["steps"], alone["discretisation"]["steps"])
+        self.assertEqual(three["discretisation"]["steps"], alone["discretisation"]["steps"])
+        self.expect_same_history(2)
+        self.expect_same_history(3)
+
+    def test_writes_the_fields_that_one_process_writes(self):
+        names = {"points", "displacement_(m)", "velocity_(m_s)", "acceleration_(m_s2)", "pore_pressure_(Pa)",
+                 "effective_stress_yy_(Pa)"}
+        fields = {}
+        for n in (1, 2, 3):
+            self.run_on(n, *SCENES["rigid"], "output.fields.every=0.1")
+            fields[n] = [(time, vtu.arrays(path, names)) for time, path in vtu.times(self.folder / f"on{n}/fields.pvd")]
+        self.assertEqual(len(fields[1]), 6)
+        for n in (2, 3):
+            self.assertEqual([time for time, _ in fields[n]], [time for time, _ in fields[1]])
+            for name in names:
+                peak = max(np.abs(arrays[name]).max() for _, arrays in fields[1])
+                self.assertGreater(peak, 0)
+                for (_, found), (_, alone) in zip(fields[n], fields[1]):
+                    # single precision: half a unit of the last place may be rounded either way
+                    self.assertLess(np.abs(found[name] - alone[name]).max(), 2e-7 * peak, f"{name} on {n}")
+
     def test_is_started_by_srun_too(self):
         self.run_on(1)
         self.run_on(2, by=("bash", "-c", AS_SRUN, "srun"))
@@ -150,8 +180,7 @@ class Processes(ProgramTest):
         self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
 
     def test_says_once_what_is_not_done(self):
-        for key, what in (("time.scheme=reduced", "no reduced model"), ("output.fields.every=0.1", "no fields"),
-                          ("time.stop_at_energy=0.01", "no run stops early"),
+        for key, what in (("time.scheme=reduced", "no reduced model"),
                           ("regions.mound.porosity=2", "is outside (0, 1)")):
             done = mpirun(2, "run", CASE, *with_keys([*SCENE, key]), "--out", "none", cwd=self.folder)
             self.assertEqual(done.returncode, 1, done.stderr)

@@ -152,18 +152,52 @@ TEST_F(Division, DividesLoadsAndReadings) {
   EXPECT_EQ(reading.sum(), 2.);
 }
 
+TEST_F(Division, JoinsTheStateOfTheWhole) {
+  const Joined joined_systems(count_);
+  System part = joined_systems.system(rank_, rank_ + 1);
+  const std::vector<int> index = divide(part, {}, processes_);
+  State state = at_rest(part);
+  state.time = 2.;
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (index[i] >= 0) {
+      state.x[index[i]] = static_cast<double>(i);
+      state.v[index[i]] = 100. + static_cast<double>(i);
+      state.a[index[i]] = 0.1;
+    }
+  const State whole = joined(part, state);
+  const int n = joined_systems.size();
+  EXPECT_EQ(whole.time, 2.);
+  EXPECT_EQ(whole.x, Vector::LinSpaced(n, 0., n - 1.));
+  EXPECT_EQ(whole.v, Vector::LinSpaced(n, 100., 99. + n));
+  EXPECT_EQ(whole.a, Vector::Constant(n, 0.1));
+}
+
 TEST_F(Division, NoticesSystemsOfDifferentSizes) {
   System part = Joined(2 + rank_).system(0, 1);
   EXPECT_THROW(divide(part, {}, processes_), NumericsError);
 }
 
-TEST_F(Division, DoesNotStopEarly) {
-  System part = Joined(count_).system(rank_, rank_ + 1);
+TEST_F(Division, StopsEarlyWhereTheWholeDoes) {
+  const auto stopped = [](const System& system) {
+    const auto scheme = make_scheme(system, {SchemeKind::sdirk4});
+    MarchOptions options;
+    options.stop_at_energy = 0.5;
+    return march(system, *scheme, make_time_grid(kinks(system), 100., 0.25), options);
+  };
+  const auto push = [](System system) {  // for a second
+    system.loads[0].history = piecewise_linear({0., 0.5, 1.}, {0., 1., 0.});
+    system.loads[1].history = TimeFunction();
+    return system;
+  };
+  const Joined joined(count_);
+  const Response whole = stopped(push(joined.system(0, count_)));
+  ASSERT_TRUE(whole.stopped_early);
+  System part = push(joined.system(rank_, rank_ + 1));
   divide(part, {}, processes_);
-  const auto scheme = make_scheme(part);
-  MarchOptions options;
-  options.stop_at_energy = 0.1;
-  EXPECT_THROW(march(part, *scheme, make_time_grid({}, 1., 0.1), options), std::invalid_argument);
+  const Response found = stopped(part);
+  EXPECT_TRUE(found.stopped_early);
+  EXPECT_EQ(found.n_steps, whole.n_steps);
+  expect_equal(found, whole);
 }
 
 }  // namespace divided_test

@@ -98,7 +98,7 @@ struct MarchOptions {
 /// observer sees the states of its process. A resumed march gives the same result as an uninterrupted one, to the last
 /// bit, but for the number of factorisations; its observer sees the state that it resumes from. Throws NumericsError
 /// where a value is not finite, std::invalid_argument where stop_at_energy is asked of a scheme that keeps no account
-/// of energy, or of a divided system, or checkpoints of a divided system or of contact.
+/// of energy, or checkpoints of a divided system or of contact.
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
 
 }  // namespace upbead

@@ -91,6 +91,14 @@ struct FrameDashpots {
   Eigen::MatrixXd own;     ///< r_k' (that part) r_l (N s/m)
 };
 
+/// What one process holds of a system that is divided.
+struct PartOfSystem {
+  int n_whole = 0;          ///< unknowns of the whole system
+  int n_phi_elsewhere = 0;  ///< free phi that other processes alone hold
+  /// Unknowns for which this process counts: their numbers here and in the whole. One process counts for each.
+  std::vector<std::pair<int, int>> counted;
+};
+
 /// n unknowns; the last n_prescribed of them are given by loads. M, C and K hold all n rows, are symmetric, and with
 /// the rows of phi multiplied by -1: M >= 0, sym(C) >= 0, K >= 0.
 struct System {
@@ -104,8 +112,8 @@ struct System {
   std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising
   int n_prescribed = 0;
   std::optional<Interface> interface;  ///< its unknowns are the last of the prescribed ones
-  Sharing sharing;  ///< of the free unknowns with other processes; part.h says what is then a sum over processes
-  int n_phi_elsewhere = 0;  ///< free phi that other processes alone hold
+  Sharing sharing;    ///< of the free unknowns with other processes; part.h says what is then a sum over processes
+  PartOfSystem part;  ///< where it is divided
 
   bool is_divided() const { return sharing.processes != nullptr; }
   int size() const { return static_cast<int>(field.size()); }
