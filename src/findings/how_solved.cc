@@ -43,9 +43,7 @@ OutputSchema<ReductionSummary> reduction_outputs() {
            "of the largest state; null where the case asks for neither")
       .key("error_of_soils", &R::error_of_soils, "",
            "estimated, of the histories of F_T, of the displacement and of the forces on the base over their peaks, "
-           "where one "
-           "model answers all soils of a study; null where "
-           "this soil itself was reduced")
+           "where one model answers all soils of a study; null where this soil itself was reduced")
       .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
       .key("loose.NAME", inexact, "",
            "the readings besides F_T that have not come close enough, with their error (only where the case asks for a "

@@ -15,7 +15,8 @@ struct HeldReadings {
   std::vector<ReadingLabel> labels;
 };
 
-/// F_T, the displacement of the caisson's centre of gravity, and the moments of the change of the effective forces on the base about its edges,
+/// F_T, the displacement of the caisson's centre of gravity, and the moments of the change of the effective forces on
+/// the base about its edges,
 ///
 ///     M_heel = B/2 (N - U) - (M + M_U),   M_toe = B/2 (N - U) + (M + M_U)   (N m/m)
 ///
