@@ -99,7 +99,7 @@ WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, c
   }
   const SoilAnswers soils(std::get<SoilModelFile>(file), path);
   WaveModel model = wave_model(of_soil(soils, table.soil, place), table, section, water, place);
-  model.shear.base.clear();  // what presses on the base is not held to the tolerance: docs/soils.md
+  model.shear.base.clear();  // lives by a model of soils were compared in S alone: docs/soils.md
   return model;
 }
 
