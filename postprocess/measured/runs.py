@@ -18,6 +18,8 @@ PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29)
 def toml(value):
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {toml(part)}" for key, part in value.items()) + "}"
     return json.dumps(value) if isinstance(value, (str, list)) else repr(value)
 
 

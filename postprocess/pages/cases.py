@@ -100,12 +100,12 @@ DRAW = {"run": response, "study": study, "waves": figures.wave_pressure, "expect
 
 def entries(cases=ROOT / "cases"):
     """All sections, in the order of the page: the known ones, then all other shipped cases, each with the usual
-    figure."""
+    figure. Cases of validation have a page of their own, docs/validation.md."""
     sections = known()
     taken = {case for entry in sections for case in entry.cases}
     for path in sorted(cases.rglob("*.toml")):
         case = str(path.relative_to(cases))
-        if case not in taken:
+        if case not in taken and not case.startswith("validation/"):
             command = command_of(path)
             sections.append(Entry(case.removesuffix(".toml").replace("/", "-"), command, [case], DRAW[command]))
     return sections
