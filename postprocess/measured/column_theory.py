@@ -1,5 +1,5 @@
 """A layer of poroelastic soil on a rigid sealed base under a uniform pressure p0 exp(i w t) of the water on it, in closed
-form: Biot's equations in one dimension, of which Yamamoto et al. (1978) is the limit of long waves.
+form: Biot's equations in one dimension, which are those of Yamamoto et al. (1978) for long waves on a layer.
 
 z is the height above the base, M = 2 G (1 - nu)/(1 - 2 nu), S = n (1/K_f), 1/K_f = S_r/K_w + (1 - S_r)/p_absolute,
 K = k/(rho_f g). Momentum: M u'' - p' = rho u_tt; mass of water: S p_t + u'_t = K p''. On top p = p0, and the skeleton
