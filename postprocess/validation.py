@@ -27,16 +27,18 @@ def predict(program, name, folder):
     print(path)
 
 
-def write(program, docs, folder):
-    found = rounded(numbers.all_of(program, folder), 6)
-    (CASES / "numbers.json").write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+def write(program, docs, folder, only):
+    path = CASES / "numbers.json"
+    kept = json.loads(path.read_text()) if only else {}
+    found = kept | rounded(numbers.all_of(program, folder, only), 6)
+    path.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     draw(docs)
 
 
 def draw(docs):
     said, now = page.predictions(), json.loads((CASES / "numbers.json").read_text())
     (docs / "figures/validation").mkdir(parents=True, exist_ok=True)
-    for name, figure in (("column", figures.of_column(said, now)), ("flume", figures.of_flume(said)), ("tornado", figures.of_tornado(now))):
+    for name, figure in (("column", figures.of_column(said, now)), ("flume", figures.of_flume(said)), ("tornado", figures.of_tornado(now)), ("tornado-more", figures.of_more(now))):
         save(figure, docs / f"figures/validation/{name}.png")
     (docs / "validation.md").write_text(page.page(), encoding="utf-8")
     print(docs / "validation.md")
@@ -47,6 +49,7 @@ def main():
     parser.add_argument("program", type=Path, help="the program: build/upbead")
     parser.add_argument("docs", type=Path, nargs="?", default=Path("docs"), help="folder to write to: docs")
     parser.add_argument("--predict", metavar="NAME", help="write the prediction of one folder of cases/validation instead")
+    parser.add_argument("--only", metavar="PART", help="compute one part of numbers.json anew, such as beach, and keep the others")
     parser.add_argument("--draw", action="store_true", help="make page and figures of the numbers that are there; solve nothing")
     parser.add_argument("--check", action="store_true", help="write nothing; fail where the page is not that of its numbers")
     arguments = parser.parse_args()
@@ -61,7 +64,7 @@ def main():
             if arguments.predict:
                 predict(program, arguments.predict, Path(folder))
             else:
-                write(program, arguments.docs, Path(folder))
+                write(program, arguments.docs, Path(folder), arguments.only)
 
 
 if __name__ == "__main__":

@@ -26,23 +26,38 @@ def of_column(said, now):
     return figure
 
 
+def bars(axes, centre, ends, label):
+    """One bar for each input or choice from the central value to those at its two ends, the widest on top."""
+    order = sorted(ends, key=lambda name: max(abs(end - centre) for end in ends[name]))
+    for place, name in enumerate(order):
+        for end, colour in zip(ends[name], ("#b5423a", "#27408b"), strict=True):
+            axes.barh(place, end - centre, left=centre, color=colour, height=0.7, alpha=0.85)
+    axes.set_yticks(range(len(order)), order, fontsize=8)
+    axes.axvline(centre, color="black", lw=0.8)
+    axes.set_xlabel(label)
+    axes.grid(axis="x", alpha=0.3)
+
+
+def of_more(now):
+    """E, a first frequency and a pore pressure."""
+    figure = Figure(figsize=(14, 3.6), layout="constrained")
+    labels = {"E": "E of nine years (m)", "frequency": "first frequency (Hz)", "pore pressure": "|p| / p_0 at the base, 1 % of air"}
+    for axes, (name, label) in zip(figure.subplots(1, 3), labels.items(), strict=True):
+        values = now["more tornados"][name]
+        bars(axes, values[""], {key: ends for key, ends in values.items() if key}, label)
+    figure.suptitle("One at a time: red the first value, blue the second", fontsize=10)
+    return figure
+
+
 def of_tornado(now):
-    """One bar for each input or choice: F_T/P and S at its two ends, the widest on top."""
+    """F_T/P and S of the designer's section."""
     rows = {name: value for name, value in now["tornado"].items() if name}
     figure = Figure(figsize=(11.5, 6.2), layout="constrained")
     panels = figure.subplots(1, 2)
     for axes, number, scale, label in zip(panels, ("response.shear_to_force_ratio", "sliding.sliding_coupled"), (1, 1e3), ("F_T / P", "S as a whole on its ground (mm)"), strict=True):
         centre = scale * now["tornado"][""][number]
         known = {name: [scale * end if end is not None else centre for end in value[number]] for name, value in rows.items()}
-        order = sorted(known, key=lambda name: max(abs(end - centre) for end in known[name]))
-        for place, name in enumerate(order):
-            low, high = known[name]
-            axes.barh(place, low - centre, left=centre, color="#b5423a", height=0.7, alpha=0.85)
-            axes.barh(place, high - centre, left=centre, color="#27408b", height=0.7, alpha=0.85)
-        axes.set_yticks(range(len(order)), order, fontsize=8)
-        axes.axvline(centre, color="black", lw=0.8)
-        axes.set_xlabel(label)
-        axes.grid(axis="x", alpha=0.3)
+        bars(axes, centre, known, label)
     figure.suptitle("The designer's section, one at a time: red the first value, blue the second", fontsize=10)
     return figure
 

@@ -3,7 +3,7 @@
 import json
 import subprocess
 
-from . import beach, column, deep, flume, paper, parapet, tornado
+from . import beach, column, deep, flume, paper, parapet, tornado, tornado_more
 from .runs import CASES
 
 STIFFER = 1.06  # rubble that a parapet's weight presses together: G goes with the root of 1.12 times the stress
@@ -33,7 +33,8 @@ def of_wall(program, folder):
     return {"p_1 over rho g h_s": wave["p1"] / (1030 * 9.81 * 0.135)}
 
 
-def all_of(program, folder):
+def all_of(program, folder, only=None):
+    """All, or one part by its name."""
     steps = {
         "column": of_column,
         "parapet": of_parapet,
@@ -43,11 +44,13 @@ def all_of(program, folder):
         "wall": of_wall,
         "paper": paper.numbers,
         "tornado": tornado.predict,
+        "more tornados": tornado_more.all_of,
     }
     found = {}
     for name, step in steps.items():
-        print(name, flush=True)
-        found[name] = step(program, folder)
+        if only in (None, name):
+            print(name, flush=True)
+            found[name] = step(program, folder)
     return found
 
 
