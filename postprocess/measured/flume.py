@@ -47,15 +47,19 @@ def held(force, peak):
     return peak * course / force.max()
 
 
+def lumped_caisson(friction=0.5):
+    height, width, mass = 0.385, 0.30, 162.0
+    water = 1.0855 * 1000 * 0.15**2  # of rigid walls in water on both sides (exact, Westergaard's problem)
+    return Caisson(mass, mass * (height**2 / 3 + width**2 / 12), height / 2, 1147.8, friction, SPRINGS, DASHPOTS, water, 0.4 * 0.15)
+
+
 def lumped(folder, wave, friction=0.5):
     """The lumped model under P and U of a run of the program in `folder`."""
     with h5py.File(Path(folder) / "results.h5") as file:
         time, force = file["history/time"][:], file["history/force"][:]
     uplift = held(force, wave["peak_uplift"])
     moment = uplift * 0.30 / 6  # of a triangle, about the middle: it lifts the seaward edge
-    height, width, mass = 0.385, 0.30, 162.0
-    water = 1.0855 * 1000 * 0.15**2  # of rigid walls in water on both sides (exact, Westergaard's problem)
-    caisson = Caisson(mass, mass * (height**2 / 3 + width**2 / 12), height / 2, 1147.8, friction, SPRINGS, DASHPOTS, water, 0.4 * 0.15)
+    caisson = lumped_caisson(friction)
     _, slips = slip(caisson, time, force, wave["force_moment"] / wave["force"], uplift, moment)
     return float(slips[-1])
 

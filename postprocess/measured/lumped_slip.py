@@ -26,6 +26,14 @@ class Caisson:
     added_arm: float = 0.0  # height of the added mass above the bottom
 
 
+def periods(caisson):
+    """Natural periods of sway and rocking together (s), the longest first."""
+    c = caisson
+    coupling = c.mass * c.centre + c.added_mass * c.added_arm
+    mass = np.array([[c.mass + c.added_mass, coupling], [coupling, c.inertia + c.added_mass * c.added_arm**2]])
+    return sorted(2 * np.pi / np.sqrt(np.linalg.eigvals(np.linalg.solve(mass, np.diag([c.springs[0], c.springs[2]])))), reverse=True)
+
+
 def slip(caisson, time, force, arm, uplift, uplift_moment):
     """Slip over time (m) under a force P (N/m) that attacks at height `arm`, and an uplift with its moment."""
     c, (kx, kz, kr), (cx, cz, cr) = caisson, caisson.springs, caisson.dashpots

@@ -27,6 +27,10 @@ def of_parapet(program, folder):
     return {"frequency": frequency, "change": change, "change, rubble stiffer by the weight": 100 * (stiffer / frequency - 1), "change, 20 m wide and 13 m high": wide[1]}
 
 
+def of_beach(program, folder):
+    return beach.fitted(program, folder / "beach") | {f"{state}, their S and k": value for state, value in beach.published(program, folder / "beach").items()}
+
+
 def of_wall(program, folder):
     done = subprocess.run([program, "waves", CASES / "wall/wall.toml", "--out", folder / "wall", "--json"], capture_output=True, text=True, check=False)
     wave = json.loads(done.stdout)["waves"]["impact"]
@@ -40,7 +44,7 @@ def all_of(program, folder, only=None):
         "parapet": of_parapet,
         "flume": flume.ways,
         "deep": lambda program, folder: deep.frequencies(program, {}, folder / "deep"),
-        "beach": lambda program, folder: beach.fitted(program, folder / "beach"),
+        "beach": of_beach,
         "wall": of_wall,
         "paper": paper.numbers,
         "tornado": tornado.predict,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import beach, paper, parapet
+from . import beach, flume, lumped_slip, paper, parapet
 from .runs import CASES, design
 
 KEPT = "kept apart"
@@ -27,7 +27,7 @@ def table(head, rows):
 
 
 def overview(said, now):
-    column, frame, flume, deep = said["column"], said["parapet"], said["flume"], said["deep"]
+    column, frame, slide, deep = said["column"], said["parapet"], said["flume"], said["deep"]
     base = column["0.99"]["1.8"]
     low, high = MEASURED["parapet"]
     middle = (low + high) / 2
@@ -37,7 +37,7 @@ def overview(said, now):
     return [
         ("[C](#c-a-column-of-sand-under-waves): p/p_0 at the base of a column of sand, 1 % of air", f"{base['ratio']:.2f} ({range_of(base['interval'], '.2f')})", KEPT, "", "yes"),
         ("[O](#o-a-parapet): first frequency by a parapet", f"{frame['change']:.1f} % ({range_of(frame['interval'], '.1f')})", f"{high} to {low} %", f"{frame['change'] / middle:.1f}", "yes"),
-        ("[W](#w-a-caisson-that-slides-in-a-flume): slip after five waves", f"{1e3 * flume['slip']:.1f} mm ({range_of(flume['interval'], '.2g', 1e3)})", KEPT, "", "yes"),
+        ("[W](#w-a-caisson-that-slides-in-a-flume): slip after five waves", f"{1e3 * slide['slip']:.1f} mm ({range_of(slide['interval'], '.2g', 1e3)})", KEPT, "", "yes"),
         ("[breakwater in 63 m of water](#a-breakwater-in-63-m-of-water): first frequency", f"{deep['first']:.2f} Hz ({range_of(deep['first_interval'], '.2f')})", KEPT, "", "yes"),
         ("the same: second frequency", f"{deep['second']:.1f} Hz ({range_of(deep['second_interval'], '.1f')})", KEPT, "", "yes"),
         ("[beach](#a-beach-of-sand-and-gravel), before a storm: lag over 35 cm", f"{before[3]:.1f} degrees", "about 20", f"{before[3] / 20:.2f}", "no; S fitted to another number"),
@@ -79,6 +79,11 @@ def of_beach(now):
         more = "more than " if state.startswith("after") else "about "
         rows.append((state, f"{saturation:.3f}", f"{conductivity:.2e}", f"{ratio:.2f}", f"{known['ratio']:.2f}", f"**{lag:.1f}**", f"{more}{known['lag']:.0f}",
                      f"{shape:.2f}", f"{beach.shape(known['ratio'], known['lag']):.2f}"))  # fmt: skip
+    for state, known in beach.STATES.items():
+        saturation, conductivity, ratio, lag, shape = now["beach"][f"{state}, their S and k"]
+        loss, later = known["elsewhere"]
+        rows.append((f"{state}, with their S and k", f"{saturation:.2f}", f"{conductivity:.2e}", f"{ratio:.2f}", f"{known['ratio']:.2f}, {loss:.2f}", f"{lag:.1f}",
+                     f"{known['lag']:.0f}, {later:.0f}", f"{shape:.2f}", f"{beach.shape(known['ratio'], known['lag']):.2f}, {beach.shape(loss, later):.2f}"))  # fmt: skip
     return table(("state", "S", "k (m/s)", "variance ratio", "measured", "lag (degrees)", "measured", "lag over loss of amplitude", "measured"), rows)
 
 
@@ -97,6 +102,7 @@ def fill(text, said, now):
         "change_interval": range_of(said["parapet"]["interval"], ".1f"),
         "frequency": f"{said['parapet']['frequency']:.1f}",
         "stiffer": f"{now['parapet']['change, rubble stiffer by the weight']:.1f}",
+        "swing": f"{lumped_slip.periods(flume.lumped_caisson())[0]:.2f}",
         "ranks": ", ".join(f"{words} {rank:+.1f}" for words, rank in ranks(said["parapet"])),
         "wide": f"{now['parapet']['change, 20 m wide and 13 m high']:.1f}",
         "first": f"{said['deep']['first']:.2f}",
@@ -108,6 +114,7 @@ def fill(text, said, now):
     }
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)
+    assert "{{" not in text, "a place of the page is not filled"
     return text
 
 

@@ -74,6 +74,6 @@ def rounded(value, digits=4):
     """Numbers of a nest of lists and tables to some digits: what a prediction says, not round-off."""
     if isinstance(value, dict):
         return {key: rounded(part, digits) for key, part in value.items()}
-    if isinstance(value, list):
+    if isinstance(value, (list, tuple)):
         return [rounded(part, digits) for part in value]
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
