@@ -13,6 +13,9 @@
 //  |    |  |   subsoil (on demand)  |  |    |
 //  +----+--+----+-----+-----+----+--+----+
 //
+// With seabed_depth = 0 the mound stands on a rigid floor, as in a flume: base is the mound's lower side, and there is
+// no seabed, no left and no right; bed is the floor under a sea.
+//
 // With a sea, on either side or on both:
 //
 //              sea_surface
@@ -28,7 +31,7 @@
 // Nothing here is an absolute length: a section with all its lengths divided by 20 gets the same mesh, divided by 20.
 
 DefineConstant[
-  seabed_depth = 15,       // m: thickness of the seabed, above its rigid base or the subsoil
+  seabed_depth = 15,       // m: thickness of the seabed, above its rigid base or the subsoil; 0: the base is at y = 0
   subsoil_depth = 0,       // m: thickness of a second layer, from the seabed down to the base; 0: none
   seabed_front = 120,      // m: length of the seabed in front of the mound's seaward toe
   seabed_back = 120,       // m: length of the seabed behind the mound's landward toe
@@ -63,8 +66,8 @@ Macro MustNotBeNegative
     mistakes = 1;
   EndIf
 Return
-name = "seabed_depth"; value = seabed_depth;
-Call MustBePositive;
+name = "seabed_depth"; value = seabed_depth; meaning = "the mound stands on a rigid floor";
+Call MustNotBeNegative;
 name = "seabed_front"; value = seabed_front;
 Call MustBePositive;
 name = "seabed_back"; value = seabed_back;
@@ -75,6 +78,11 @@ name = "mound_slope"; value = mound_slope;
 Call MustBePositive;
 name = "subsoil_depth"; value = subsoil_depth; meaning = "none";
 Call MustNotBeNegative;
+If (subsoil_depth > 0 && seabed_depth == 0)
+  Error("subsoil_depth is %g, but seabed_depth is 0; one layer of ground is the seabed", subsoil_depth);
+  mistakes = 1;
+EndIf
+has_seabed = seabed_depth > 0;
 name = "mound_slope_front"; value = mound_slope_front; meaning = "mound_slope";
 Call MustNotBeNegative;
 name = "mound_slope_back"; value = mound_slope_back;
@@ -302,7 +310,9 @@ crest_line[] = {middle_line - 2, middle_line + 2};
 inner_line[] = {middle_line - 3, middle_line + 3};
 toe_line[] = {middle_line - 4, middle_line + 4};
 For i In {0 : last_line}
-  at_base[i] = newp; Point(at_base[i]) = {x[i], -seabed_depth, 0};
+  If (has_seabed)
+    at_base[i] = newp; Point(at_base[i]) = {x[i], -seabed_depth, 0};
+  EndIf
   at_bed[i] = newp; Point(at_bed[i]) = {x[i], 0, 0};
 EndFor
 For i In {crest_line[0] : crest_line[1]}
@@ -348,9 +358,11 @@ Macro Along
   Transfinite Curve {along} = column_count[i] + 1 Using Progression column_ratio[i];
 Return
 For i In {0 : last_line - 1}
-  from = at_base[i]; to = at_base[i + 1];
-  Call Along;
-  along_base[i] = along;
+  If (has_seabed)
+    from = at_base[i]; to = at_base[i + 1];
+    Call Along;
+    along_base[i] = along;
+  EndIf
   from = at_bed[i]; to = at_bed[i + 1];
   Call Along;
   along_bed[i] = along;
@@ -376,10 +388,12 @@ For i In {wall_line[0] : wall_line[1] - 1}
 EndFor
 
 // Along y, all lines run downwards, away from the caisson; the caisson's and the sea's run upwards.
-For i In {0 : last_line}
-  through_seabed[i] = newl; Line(through_seabed[i]) = {at_bed[i], at_base[i]};
-  Transfinite Curve {through_seabed[i]} = depth_count + 1 Using Progression depth_ratio;
-EndFor
+If (has_seabed)
+  For i In {0 : last_line}
+    through_seabed[i] = newl; Line(through_seabed[i]) = {at_bed[i], at_base[i]};
+    Transfinite Curve {through_seabed[i]} = depth_count + 1 Using Progression depth_ratio;
+  EndFor
+EndIf
 For i In {crest_line[0] : crest_line[1]}
   through_upper[i] = newl; Line(through_upper[i]) = {at_crest[i], at_middle[i]};
   Transfinite Curve {through_upper[i]} = upper_count + 1 Using Progression mound_ratio;
@@ -396,10 +410,13 @@ For i In {wall_line[0] : wall_line[1]}
 EndFor
 
 // -------------------------------------------------------------------------------------------------- surfaces
-For i In {0 : last_line - 1}
-  loop = newll; Curve Loop(loop) = {through_seabed[i], along_base[i], -through_seabed[i + 1], -along_bed[i]};
-  seabed[i] = news; Plane Surface(seabed[i]) = {loop};
-EndFor
+seabed[] = {};
+If (has_seabed)
+  For i In {0 : last_line - 1}
+    loop = newll; Curve Loop(loop) = {through_seabed[i], along_base[i], -through_seabed[i + 1], -along_bed[i]};
+    seabed[i] = news; Plane Surface(seabed[i]) = {loop};
+  EndFor
+EndIf
 mound[] = {};
 For i In {crest_line[0] : crest_line[1] - 1}
   loop = newll; Curve Loop(loop) = {through_lower[i], along_bed[i], -through_lower[i + 1], -along_middle[i]};
@@ -488,10 +505,22 @@ For side In {0 : 1}
   EndIf
 EndFor
 
-// The subsoil continues the seabed's columns; sides and base then are those of both.
-ground_left[] = {through_seabed[0]};
-ground_right[] = {through_seabed[last_line]};
-ground_base[] = along_base[];
+// The subsoil continues the seabed's columns; sides and base then are those of both. On a rigid floor only what has a
+// sea above it is a bed; the rest of the floor's lines belongs to nothing.
+ground_base[] = {along_bed[{toe_line[0] : toe_line[1] - 1}]};
+bed[] = {};
+If (sea_front > 0)
+  bed[] += {along_bed[toe_line[0] - 1]};
+EndIf
+If (sea_back > 0)
+  bed[] += {along_bed[toe_line[1]]};
+EndIf
+If (has_seabed)
+  ground_left[] = {through_seabed[0]};
+  ground_right[] = {through_seabed[last_line]};
+  ground_base[] = along_base[];
+  bed[] = {along_bed[{0 : toe_line[0] - 1}], along_bed[{toe_line[1] : last_line - 1}]};
+EndIf
 subsoil[] = {};
 If (subsoil_depth > 0)
   ground_base[] = {};
@@ -514,7 +543,11 @@ Transfinite Surface {seabed[], caisson[], subsoil[]};
 Recombine Surface {:};
 
 // ----------------------------------------------------------------------------------------------------- names
-Physical Surface("seabed") = seabed[];
+If (has_seabed)
+  Physical Surface("seabed") = seabed[];
+  Physical Curve("left") = ground_left[];
+  Physical Curve("right") = ground_right[];
+EndIf
 If (subsoil_depth > 0)
   Physical Surface("subsoil") = subsoil[];
 EndIf
@@ -535,9 +568,9 @@ If (has_sea)
   back[] += through_wet[wall_line[1]];
 EndIf
 Physical Curve("base") = ground_base[];
-Physical Curve("left") = ground_left[];
-Physical Curve("right") = ground_right[];
-Physical Curve("bed") = {along_bed[{0 : toe_line[0] - 1}], along_bed[{toe_line[1] : last_line - 1}]};
+If (has_seabed || has_sea)
+  Physical Curve("bed") = bed[];
+EndIf
 Physical Curve("mound_surface") = {slope_lower[], slope_upper[], along_crest[crest_line[0]], along_crest[wall_line[1]]};
 Physical Curve("front") = front[];
 Physical Curve("back") = back[];

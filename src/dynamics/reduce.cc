@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "algebra/dense.h"
 #include "dynamics/basis.h"
 #include "dynamics/growing_model.h"
 
@@ -96,7 +97,7 @@ double agreed_frequency(const ModalModel& coarse, const ModalModel& fine, const 
 }
 
 Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) {
-  return basis.unit.asDiagonal() * (basis.columns() * coordinates);
+  return basis.unit.asDiagonal() * product(basis.columns(), coordinates);
 }
 
 namespace {

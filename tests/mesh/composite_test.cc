@@ -290,12 +290,59 @@ TEST(Composite, ImpossibleShapesAreAllSaid) {
   const auto said =
       complaints(geometry("composite", {{"caisson_width", 40}, {"seabed_depth", -1}, {"grading", 0.5}, {"cells", 0}}));
   const std::vector<std::string> expected = {
-      "seabed_depth is -1; it must be greater than 0", "cells is 0; it must be greater than 0",
+      "seabed_depth is -1; it must be 0 (the mound stands on a rigid floor) or greater",
+      "cells is 0; it must be greater than 0",
       "mound_crest_front is 16; it must be greater than half of caisson_width (20)",
       "mound_crest_back is 16; it must be greater than half of caisson_width (20)",
       "grading is 0.5; it must be 1 (all cells alike) or greater"};
   ASSERT_EQ(said.size(), expected.size());
   for (std::size_t i = 0; i < said.size(); ++i) EXPECT_THAT(said[i], testing::HasSubstr(expected[i]));
+}
+
+void expect_near(const std::map<std::string, double>& one, const std::map<std::string, double>& other) {
+  ASSERT_EQ(one.size(), other.size());
+  for (const auto& [name, value] : one) EXPECT_NEAR(value, other.at(name), 1e-9 * value) << name;
+}
+
+/// The mound and what stands on it and beside it are those of a section with a seabed.
+void expect_floor(Parameters parameters) {
+  const auto on_seabed = section(parameters);
+  parameters["seabed_depth"] = 0.;
+  const auto on_floor = section(parameters);
+  const Parameters p = with(parameters);
+  auto area = areas(*on_seabed), length = lengths(*on_seabed);
+  area.erase("seabed");
+  expect_near(areas(*on_floor), area);
+  length.erase("left");
+  length.erase("right");
+  const double mound = p.at("mound_crest_front") + p.at("mound_crest_back") + foot_of(p, "front") + foot_of(p, "back");
+  EXPECT_NEAR(lengths(*on_floor).at("base"), mound, 1e-9 * mound);
+  double under_sea = 0.;
+  for (const std::string side : {"front", "back"})
+    if (const double sea = p.at("sea_" + side); sea > 0)
+      under_sea += sea * of_side(p, "water_depth", side) - foot_of(p, side) -
+                   (p.at("mound_crest_" + side) - p.at("caisson_width") / 2);
+  ASSERT_EQ(lengths(*on_floor).count("bed"), under_sea > 0 ? 1U : 0U);
+  if (under_sea > 0) {
+    EXPECT_NEAR(lengths(*on_floor).at("bed"), under_sea, 1e-9 * under_sea);
+  }
+  for (const char* other : {"base", "bed"}) length.erase(other);
+  auto rest = lengths(*on_floor);
+  for (const char* other : {"base", "bed"}) rest.erase(other);
+  expect_near(rest, length);
+}
+
+TEST(Composite, StandsOnARigidFloorWithoutASeabed) {
+  expect_floor({});
+  expect_floor({{"sea_front", 3}});
+  expect_floor(both_seas);
+  expect_floor({{"mound_slope_front", 3},
+                {"mound_slope_back", 1.5},
+                {"water_depth_back", 11.5},
+                {"sea_front", 3},
+                {"sea_back", 4}});
+  EXPECT_THAT(complaints(geometry("composite", {{"seabed_depth", 0}, {"subsoil_depth", 3}})),
+              testing::ElementsAre(testing::HasSubstr("one layer of ground is the seabed")));
 }
 
 TEST(Composite, WhatHoldsForOneSideOrLayerIsZeroOrGreater) {
