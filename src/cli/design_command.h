@@ -8,19 +8,22 @@
 #include "base/stopwatch.h"
 #include "cli/command.h"
 #include "design/design.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 
 /// The results of a command for a design.
 struct DesignOutput {
   std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, without case.toml and summary.json
-  std::string json, text, warnings;                        ///< summary.json; for stdout and stderr
+  Json summary;                                            ///< summary.json
+  std::string brief, warnings;                             ///< for stdout and stderr
 };
 
 struct DesignWork {
   std::string suffix;  ///< of the default folder
   std::vector<DesignCheck> checks;
-  std::vector<std::string> files;  ///< the files written
+  std::vector<std::string> files;    ///< the files written
+  std::vector<OutputRow> (*rows)();  ///< keys of the summary
   DesignOutput (*answer)(const Design& design, const Stopwatch& since_start);
 };
 

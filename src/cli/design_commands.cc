@@ -7,6 +7,7 @@
 #include "design/calibrate/calibration_report.h"
 #include "design/expected_report.h"
 #include "design/waves_report.h"
+#include "output/output_text.h"
 
 namespace upbead {
 
@@ -18,7 +19,11 @@ std::string default_folder(const Design& design, const DesignWork& work) {
   return "results/" + design.stem + (work.suffix.empty() && is_case ? "-waves" : work.suffix);
 }
 
-int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatch& since_start) {
+struct DesignOptions : CommonOptions {
+  bool details = false;  ///< --details
+};
+
+int work_on(const DesignOptions& options, const DesignWork& work, const Stopwatch& since_start) {
   const Design design = read_design(options.file, options.overrides, work.checks);
   note_interrupts();
   const std::string out = options.out.empty() ? default_folder(design, work) : options.out;
@@ -27,12 +32,16 @@ int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatc
   const DesignOutput answer = work.answer(design, since_start);
   for (const auto& [name, bytes] : answer.files) folder.write(name, bytes);
   folder.write("case.toml", effective_design(design, folder.name()));
-  folder.write("summary.json", answer.json);
+  const std::string json = json_text(answer.summary);
+  folder.write("summary.json", json);
   check_interrupt();
   folder.commit({"results.h5", "sheet.md"});  // of another command, whose summary is replaced
   std::cerr << answer.warnings;
-  std::cout << (options.json ? answer.json
-                             : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
+  std::cout << (options.json ? json
+                             : (options.details
+                                    ? text_of(answer.summary, work.rows())
+                                    : answer.brief + "            --details prints all else, summary.json has it\n") +
+                                   "written     " + folder.name() + "/{" + join(work.files) + "}\n");
   return 0;
 }
 
@@ -44,8 +53,9 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 DesignOutput waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {
-      {}, json_text(to_json(design, answers)), text_of(design, answers) + "\n", describe(warnings_of(design, answers))};
+  Json summary = to_json(design, answers);
+  std::string text = brief(design, answers, summary);
+  return {{}, std::move(summary), std::move(text), describe(warnings_of(design, answers))};
 }
 
 DesignOutput expected(const Design& design, const Stopwatch& since_start) {
@@ -54,27 +64,32 @@ DesignOutput expected(const Design& design, const Stopwatch& since_start) {
   const ExpectedAnswer answer = find_expected(design);
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
+  Json summary = to_json(design, answer, timing);
+  std::string text = brief(design, answer, summary);
   return {{{"results.h5", results}},
-          json_text(to_json(design, answer, timing)),
-          text_of(design, answer),
+          std::move(summary),
+          std::move(text),
           note_lines(answer.notes) + describe(warnings_of(design, answer))};
 }
 
 DesignOutput calibrated(const Design& design, const Stopwatch&) {
   const Calibration found = calibrate(design);
+  Json summary = to_json(design, found);
+  std::string text = brief(summary);
   return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
-          to_json(design, found),
-          text_of(design, found),
+          std::move(summary),
+          std::move(text),
           describe(warnings_of(design, found))};
 }
 
 }  // namespace
 
 Command design_command(Command command, const DesignWork& work) {
-  const auto options = std::make_shared<CommonOptions>();
+  const auto options = std::make_shared<DesignOptions>();
   command.options = common_options(*options, "design",
                                    "the results (default: results/NAME" + work.suffix + ", NAME as the " +
-                                       (work.suffix.empty() ? "design's)" : "file's)"));
+                                       (work.suffix.empty() ? "design's)" : "file's)")) +
+                    std::vector<Option>{{"--details", &options->details, "print every number of the summary"}};
   command.texts = {
       {"--keys", "print every key of a design file with unit, range, default and meaning", design_reference},
       {"--schema", "print them as JSON Schema, by which an editor completes and checks a design file",
@@ -161,14 +176,16 @@ std::vector<Command> design_commands() {
   };
   return {design_command(command("waves", "pressure, safety factors and sliding distance of given waves, by formulas",
                                  waves_footer),
-                         {"", {require_waves}, {"summary.json", "case.toml"}, waves}),
-          design_command(command("expected", "expected sliding distance of sea states, and of lives", expected_footer),
-                         {"-expected", {check_expected}, {"summary.json", "results.h5", "case.toml"}, expected}),
+                         {"", {require_waves}, {"summary.json", "case.toml"}, rows_of_waves, waves}),
+          design_command(
+              command("expected", "expected sliding distance of sea states, and of lives", expected_footer),
+              {"-expected", {check_expected}, {"summary.json", "results.h5", "case.toml"}, rows_of_expected, expected}),
           design_command(
               command("calibrate", "k(alpha*) of tau_0 = k tau_0F from the caisson's own dynamics", calibrate_footer),
               {"-calibration",
                {check_calibration},
                {"summary.json", "calibration.csv", "results.h5", "case.toml"},
+               rows_of_calibration,
                calibrated})};
 }
 

@@ -8,7 +8,9 @@ namespace {
 
 DesignOutput reliability(const Design& design, const Stopwatch&) {
   const ReliabilityAnswer answer = find_reliability(design);
-  return {{}, to_json(design, answer), text_of(design, answer) + "\n", describe(warnings_of(design, answer))};
+  Json summary = to_json(design, answer);
+  std::string text = brief(design, answer, summary);
+  return {{}, std::move(summary), std::move(text), describe(warnings_of(design, answer))};
 }
 
 const char* const reliability_footer =
@@ -49,7 +51,8 @@ Examples:
 Command reliability_command() {
   Command command = sampling_commands().front();
   command.footer = reliability_footer;
-  return design_command(command, {"-reliability", {check_random}, {"summary.json", "case.toml"}, reliability});
+  return design_command(
+      command, {"-reliability", {check_random}, {"summary.json", "case.toml"}, rows_of_reliability, reliability});
 }
 
 }  // namespace upbead

@@ -72,9 +72,8 @@ OutputSchema<StateAnswer> state_outputs() {
       .key(
           "highest", [](const S& s) { return if_finite(s.heights.highest()); }, "m",
           "no wave is higher; null without a limit")
-      .key(
-          "share_limited", [](const S& s) { return s.heights.taken(); }, "",
-          "of the waves, broken to the limit's height, or set aside by a cut")
+      .key("share_limited", inner(&S::heights, &RayleighHeights::taken), "",
+           "of the waves, broken to the limit's height, or set aside by a cut")
       .key(
           "highest_breaker", [](const S& s) { return if_finite(s.before.heights.breaker); }, "m",
           "Goda's highest random breaker; null where h/L_0 >= 0.2, where his formulas know none")
@@ -105,8 +104,8 @@ OutputSchema<Told> sliding_by_law_outputs() {
   };
   OutputSchema<Told> schema;
   schema.object("headline", &Told::expected, headline_outputs(), "the distance to tell: the largest of all laws")
-      .key(
-          "years", [](const Told& t) { return t.design->tables.sea->years; }, "", "of the distances");
+      .key("years", inner(&Told::design, &Design::tables, &DesignTables::sea, &SeaTable::years), "",
+           "of the distances");
   for (const Law law : all_laws)
     schema.key(
         std::string("distance_") + word(law),
@@ -255,13 +254,11 @@ OutputSchema<Told> expected_timing_outputs() {
       return found && found->seconds > 0. ? std::optional((*found).*member / found->seconds) : std::nullopt;
     };
   };
-  const auto seconds = [](const Told& t) {
-    return t.answer->monte_carlo ? std::optional(t.answer->monte_carlo->seconds) : std::nullopt;
-  };
   return OutputSchema<Told>()
       .key("read", inner(&Told::timing, &ExpectedTiming::read), "s", "reading")
       .key("quadrature", inner(&Told::answer, &Answer::quadrature_seconds), "s", "quadrature")
-      .key("monte_carlo", seconds, "s", "lives; null without `[life]`")
+      .key("monte_carlo", inner(&Told::answer, &Answer::monte_carlo, &MonteCarlo::seconds), "s",
+           "lives; null without `[life]`")
       .key("waves_per_second", lives(&MonteCarlo::waves), "1/s", "of all lives; absent without `[life]`")
       .or_left_out()
       .key("waves_computed_per_second", lives(&MonteCarlo::answered), "1/s", "those whose S was computed")

@@ -1,4 +1,4 @@
-// What `upbead expected` computes for a design, and its output: summary.json, results.h5, and text.
+// What `upbead expected` computes for a design, and its output: summary.json, results.h5, and in brief.
 #pragma once
 
 #include <array>
@@ -136,7 +136,8 @@ Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedT
 std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
-std::string text_of(const Design& design, const ExpectedAnswer& answer);
+/// The numbers that people came for, for the terminal.
+std::string brief(const Design& design, const ExpectedAnswer& answer, const Json& summary);
 
 /// The largest expected distance, of all laws; and the largest mean S of a life, of both routes.
 Headline headline_of(const std::map<Law, Expectation>& laws);

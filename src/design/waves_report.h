@@ -1,4 +1,4 @@
-// The results of `upbead waves`, and their output as text and JSON.
+// The results of `upbead waves`, and their output as JSON and in brief.
 #pragma once
 
 #include <optional>
@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "design.h"
-#include "design/standing_table.h"
 #include "design/water_levels.h"
 #include "output/checks.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/breaking_impact.h"
 #include "upbead/waves/goda.h"
+#include "upbead/waves/standing_stability.h"
 
 namespace upbead {
 
@@ -62,13 +62,11 @@ NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>
 /// All waves of a design, in the order of their names.
 std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
-/// Tables of pressures, safety and sliding with a row for each wave, and of levels with a row for each wave and
-/// level.
-std::string text_of(const Design& design, const std::vector<WaveAnswer>& answers);
-
 /// summary.json. Throws NumericsError where a number is not finite.
 Json to_json(const Design& design, const std::vector<WaveAnswer>& answers);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_waves();
+/// One screen for the terminal.
+std::string brief(const Design& design, const std::vector<WaveAnswer>& answers, const Json& summary);
 
 }  // namespace upbead

@@ -230,8 +230,7 @@ OutputSchema<Verdict> verdict_outputs() {
       .key("by", word(&Check::by), "", "its route")
       .key("wave", word(&Check::wave), "", "its wave; null likewise")
       .key("level", word(&Check::level), "", "its level of still water; null likewise")
-      .key(
-          "margin", [](const V& v) { return v.governing ? v.governing->margin : std::nullopt; }, "", "its margin")
+      .key("margin", inner(&V::governing, &Check::margin), "", "its margin")
       .key("failing", &V::failing, "", "number of checks that do not hold")
       .key("checked", &V::checked, "", "number of checks with a limit")
       .key("unjudged", &V::unjudged, "", "number of given limits that could not be checked: see their `why_not`")

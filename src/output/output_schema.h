@@ -70,11 +70,25 @@ template <class V>
 Json json_of(const std::optional<V>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
+template <class V>
+Json json_of(const V* value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+inline Json json_of(const char* word) {
+  return Json(word);
+}
 
 template <class V>
 constexpr bool is_numeric = std::is_arithmetic_v<V> && !std::is_same_v<V, bool>;
 template <class V>
 constexpr bool is_numeric<std::optional<V>> = is_numeric<V>;
+template <class V>
+constexpr bool is_numeric<const V*> = is_numeric<V> && !std::is_same_v<V, char>;
+
+template <class V>
+constexpr bool is_optional = false;
+template <class V>
+constexpr bool is_optional<std::optional<V>> = true;
 
 template <class U>
 const U* pointer_to(const U& part) {
@@ -93,14 +107,24 @@ void pointer_to(const U&& part) = delete;
 
 }  // namespace detail
 
-/// Access to a member of a member, and so on; a member may be a pointer.
+/// Access to a member of a member, and so on; a member may be a pointer. Behind one that is optional there is a
+/// pointer, or an optional value of a function, null where it is absent.
 template <class First, class... Further>
 auto inner(First first, Further... further) {
   return [first, further...](const auto& of) -> decltype(auto) {
-    if constexpr (sizeof...(further) == 0)
+    using Part = std::invoke_result_t<First, decltype(of)>;
+    if constexpr (sizeof...(further) == 0) {
       return std::invoke(first, of);
-    else
+    } else if constexpr (detail::is_optional<std::decay_t<Part>>) {
+      const auto& part = std::invoke(first, of);
+      using Value = decltype(inner(further...)(*part));
+      if constexpr (std::is_reference_v<Value>)
+        return part ? &inner(further...)(*part) : nullptr;
+      else
+        return part ? std::optional(inner(further...)(*part)) : std::nullopt;
+    } else {
       return inner(further...)(std::invoke(first, of));
+    }
   };
 }
 

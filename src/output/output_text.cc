@@ -1,6 +1,8 @@
 #include "output/output_text.h"
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 #include "base/format.h"
 #include "base/text.h"
@@ -11,10 +13,25 @@ namespace {
 
 constexpr std::size_t widest_line = 100, key_width = 30, value_width = 16;
 constexpr std::size_t most_items = 12;  ///< of a list
+using Rows = std::vector<OutputRow>;
 
-const OutputRow* row_at(const std::string& path, const std::vector<OutputRow>& rows) {
+const OutputRow* row_at(const std::string& path, const Rows& rows) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const OutputRow& row) { return row.path == path; });
   return found != rows.end() ? &*found : nullptr;
+}
+
+std::string unit_at(const std::string& path, const Rows& rows) {
+  const OutputRow* row = row_at(path, rows);
+  return row != nullptr ? row->unit : "";
+}
+
+/// The path of the items of an object whose keys are names: "waves.NAME" of "waves"; "" where its keys are declared.
+std::string path_of_items(const std::string& path, const Rows& rows) {
+  const std::size_t begin = path.size() + 1;
+  for (const OutputRow& row : rows)
+    if (row.path.size() > begin && starts_with(row.path, path + ".") && std::isupper(row.path[begin]) != 0)
+      return row.path.substr(0, row.path.find_first_of(".[", begin));
+  return "";
 }
 
 /// The part of a meaning that serves as a label, without Markdown, as far as it fits.
@@ -30,7 +47,8 @@ std::string label_of(const std::string& meaning, std::size_t width) {
 
 std::string number_text(double value, const std::string& unit) {
   if (unit.empty()) return significant(value, 4);
-  return unit == "s" || unit == "degrees" ? significant(value, 4) + " " + unit : with_unit(value, unit);
+  return unit == "s" || unit == "degrees" || starts_with(unit, "kg") ? significant(value, 4) + " " + unit
+                                                                     : with_unit(value, unit);
 }
 
 /// A number, a word, or a list of those.
@@ -47,60 +65,75 @@ bool is_told(const Json& value) {
   return !value.is_null() && !(value.is_structured() && value.empty()) && value != "";
 }
 
+/// "none where nothing overturns" of a meaning that says "..., null where nothing overturns".
+std::string why_null(const std::string& meaning) {
+  const std::size_t begin = meaning.find("null ");
+  return begin == std::string::npos ? "none" : "none" + meaning.substr(begin + 4, meaning.find(';', begin) - begin - 4);
+}
+
+/// Adds a cell to a line, or to the next one, indented, where it does not fit.
+void add_cell(const std::string& cell, std::size_t indent, std::string& line) {
+  const std::size_t begin = line.rfind('\n') + 1;  // 0 in the first line
+  const bool fits = line.size() - begin + indent + cell.size() < widest_line;
+  line += (line.empty() ? "" : fits ? ", " : ",\n" + std::string(indent, ' ')) + cell;
+}
+
 class Lines {
  public:
-  explicit Lines(const std::vector<OutputRow>& rows) : rows_(rows) {}
+  Lines(const Rows& rows, bool with_nulls) : rows_(rows), with_nulls_(with_nulls) {}
 
-  /// The keys of an object; `path` ends with a point, or is empty. Names that a user gave stand for NAME.
+  /// The keys of an object; `path` ends with a point, or is empty.
   void add_object(const Json& object, const std::string& path, std::size_t indent) {
-    for (const auto& [key, value] : object.items()) {
-      if (!is_told(value)) continue;
-      if (row_at(path + key + ".NAME", rows_) != nullptr)
-        add_named(key, value, path + key + ".NAME", indent);
-      else
-        add(key, value, path + key, indent);
-    }
+    for (const auto& [key, value] : object.items()) add(key, value, path + key, indent);
   }
 
   std::string text() const { return text_; }
 
  private:
-  void add_named(const std::string& key, const Json& items, const std::string& path, std::size_t indent) {
-    text_ += std::string(indent, ' ') + key + "\n";
-    for (const auto& [name, value] : items.items()) add(name, value, path, indent + 2);
-  }
-
   void add(const std::string& key, const Json& value, const std::string& path, std::size_t indent) {
-    if (value.is_object()) {
-      text_ += std::string(indent, ' ') + key + "\n";
-      add_object(value, path + ".", indent + 2);
+    const OutputRow* row = row_at(path, rows_) != nullptr ? row_at(path, rows_) : row_at(path + "[]", rows_);
+    if (!is_told(value)) {
+      if (with_nulls_ && row != nullptr && row->is_number) add_line(key, why_null(row->meaning), "", indent);
+    } else if (value.is_object()) {
+      const std::size_t before = text_.size();
+      add_heading(key, indent);
+      const std::size_t inside = text_.size();
+      if (const std::string named = path_of_items(path, rows_); !named.empty())
+        for (const auto& [name, item] : value.items()) add(name, item, named, indent + 2);
+      else
+        add_object(value, path + ".", indent + 2);
+      if (text_.size() == inside) text_.resize(before);
     } else if (value.is_array() && value.front().is_object()) {
       add_list(key, value, path + "[].", indent);
     } else {
-      const OutputRow* row = row_at(path, rows_) != nullptr ? row_at(path, rows_) : row_at(path + "[]", rows_);
       add_line(key, value_text(value, row != nullptr ? row->unit : ""),
                value.is_string() || row == nullptr ? "" : row->meaning, indent);
     }
   }
 
-  /// Each item in a line: its own sentence where it has one, else its values.
+  void add_heading(const std::string& key, std::size_t indent) { text_ += std::string(indent, ' ') + key + "\n"; }
+
+  /// Each item in a line: its own sentence where it has one, else its values, and below it the objects in it.
   void add_list(const std::string& key, const Json& items, const std::string& path, std::size_t indent) {
-    text_ += std::string(indent, ' ') + key + "\n";
+    add_heading(key, indent);
     for (std::size_t i = 0; i < std::min(items.size(), most_items); ++i) {
       const Json& item = items[i];
       std::string line = item.value("text", "");
       if (item.contains("what") && item.contains("why"))
         line = value_text(item["what"], "") + ": " + value_text(item["why"], "");
-      if (line.empty())
-        for (const auto& [name, value] : item.items()) {
-          if (!is_told(value) || value.is_object()) continue;
-          const OutputRow* row = row_at(path + name, rows_);
-          line += (line.empty() ? "" : ", ") + name + " " + value_text(value, row != nullptr ? row->unit : "");
-        }
-      text_ += std::string(indent + 2, ' ') + line + "\n";
+      Json inside = Json::object();
+      if (line.empty()) {
+        for (const auto& [name, value] : item.items())
+          if (value.is_object())
+            inside[name] = value;
+          else if (is_told(value))
+            add_cell(name + " " + value_text(value, unit_at(path + name, rows_)), indent + 4, line);
+      }
+      add_heading(line, indent + 2);
+      add_object(inside, path, indent + 4);
     }
     if (items.size() > most_items)
-      text_ += std::string(indent + 2, ' ') + "and " + std::to_string(items.size() - most_items) + " others\n";
+      add_heading("and " + std::to_string(items.size() - most_items) + " others", indent + 2);
   }
 
   void add_line(const std::string& key, const std::string& value, const std::string& meaning, std::size_t indent) {
@@ -115,16 +148,79 @@ class Lines {
     text_ += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
 
-  const std::vector<OutputRow>& rows_;
+  const Rows& rows_;
+  bool with_nulls_;
   std::string text_;
 };
 
+Json::json_pointer pointer_to(std::string key) {
+  std::replace(key.begin(), key.end(), '.', '/');
+  return Json::json_pointer("/" + key);
+}
+
+/// The first column, and those from `from` on that fit in a line; the next one that does not.
+std::pair<std::string, std::size_t> aligned_from(std::size_t from, const std::vector<TextRow>& rows,
+                                                 const std::vector<std::size_t>& width) {
+  constexpr std::size_t gap = 2;
+  std::size_t to = from, line = width[0];
+  while (to < width.size() && (to == from || line + gap + width[to] <= widest_line)) line += gap + width[to++];
+  std::string text;
+  for (const TextRow& row : rows) {
+    text += row[0] + std::string(width[0] - row[0].size(), ' ');
+    for (std::size_t i = from; i < to; ++i) text += std::string(gap + width[i] - row[i].size(), ' ') + row[i];
+    text += "\n";
+  }
+  return {text, to};
+}
+
 }  // namespace
 
-std::string text_of(const Json& summary, const std::vector<OutputRow>& rows) {
-  Lines lines(rows);
+std::string text_of(const Json& summary, const Rows& rows) {
+  Lines lines(rows, false);
   lines.add_object(summary, "", 0);
   return lines.text();
+}
+
+std::string text_of(const Json& summary, const Rows& rows, const std::vector<std::string>& keys) {
+  Json some = Json::object();
+  for (const std::string& key : keys)
+    if (const auto at = pointer_to(key); summary.contains(at)) some[at] = summary[at];
+  Lines lines(rows, true);
+  lines.add_object(some, "", 0);
+  return lines.text();
+}
+
+std::string aligned(const std::vector<TextRow>& rows) {
+  std::vector<std::size_t> width(rows.front().size());
+  for (const TextRow& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  std::string text;
+  for (std::size_t next = 1; next < width.size();) {
+    const auto [block, to] = aligned_from(next, rows, width);
+    text += (next > 1 ? "\n" : "") + block;
+    next = to;
+  }
+  return text;
+}
+
+std::string table_of(const Json& items, const Rows& rows, const std::string& path,
+                     const std::vector<TextColumn>& columns, const std::string& name) {
+  std::vector<TextRow> table(items.size() + 1);
+  if (items.is_object()) {
+    table.clear();
+    table.push_back({name});
+    for (const auto& item : items.items()) table.push_back({item.key()});
+  }
+  for (const TextColumn& column : columns) {
+    const auto at = pointer_to(column.key);
+    TextRow cells{column.head};
+    for (const Json& item : items)
+      cells.push_back(
+          item.contains(at) && is_told(item[at]) ? value_text(item[at], unit_at(path + "." + column.key, rows)) : "-");
+    if (std::all_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell == "-"; })) continue;
+    for (std::size_t i = 0; i < cells.size(); ++i) table[i].push_back(cells[i]);
+  }
+  return aligned(table);
 }
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// What `upbead reliability` finds, and its output as text and JSON.
+// What `upbead reliability` finds, and its output as JSON and in brief.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,6 @@
 #include "reliability/methods.h"
 
 namespace upbead {
-
-struct OutputRow;
 
 /// Two methods that differ by more than this in beta disagree.
 constexpr double most_spread = 0.1;
@@ -91,11 +89,12 @@ ReliabilityAnswer find_reliability(const Design& design);
 /// file itself gives.
 Checks checks_of(const Design& design, const ReliabilityAnswer& answer);
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer);
-std::string text_of(const Design& design, const ReliabilityAnswer& answer);
 /// summary.json. Throws NumericsError where a number is not finite.
-std::string to_json(const Design& design, const ReliabilityAnswer& answer);
+Json to_json(const Design& design, const ReliabilityAnswer& answer);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_reliability();
+/// Probabilities, demands of codes and the verdict, for the terminal.
+std::string brief(const Design& design, const ReliabilityAnswer& answer, const Json& summary);
 
 /// Checks and warnings of a summary.json that another process has written: those of checks_of() and warnings_of()
 /// there.

@@ -3,9 +3,8 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "output/output_schema.h"
+#include "output/output_text.h"
 #include "reliability/indices.h"
-#include "reliability/text_columns.h"
 
 namespace upbead {
 
@@ -139,7 +138,7 @@ std::string table_of(const StudyIndices& indices, const NumberIndices& found) {
                     significant(key.total.value, 2), interval(key.total)});
     alone += key.first.value;
   }
-  return text + "\n" + columns(rows) + "  all first ones together " + significant(alone, 2) +
+  return text + "\n" + aligned(rows) + "  all first ones together " + significant(alone, 2) +
          ", the rest of 1 is by keys together\n";
 }
 

@@ -70,31 +70,26 @@ OutputSchema<CodeRow> code_outputs() {
       .key("value", &R::value, "", "found; in `unit`")
       .key("target", &R::target, "", "asked for; null where none is given; in `unit`")
       .key("at_least", &R::at_least, "", "whether the value must not fall below the target")
-      .key(
-          "holds", [](const R& row) { return row.holds(); }, "", "whether it does; null without value or target")
+      .key("holds", &R::holds, "", "whether it does; null without value or target")
       .key("source", &R::source, "", "of the target")
       .reason("why_not", &R::why_not, "why there is no value");
 }
 
 const OutputSchema<ToldReliability>& reliability_outputs() {
   using T = ToldReliability;
-  const auto table = [](const T& told) -> const ReliabilityTable& { return *told.design->tables.reliability; };
+  const auto table = [](auto member) { return inner(&T::design, &Design::tables, &DesignTables::reliability, member); };
   static const auto schema =
       OutputSchema<T>()
-          .key(
-              "title", [](const T& told) { return told.design->tables.title; }, "", "that of the design")
+          .key("title", inner(&T::design, &Design::tables, &DesignTables::title), "", "that of the design")
           .program()
           .object("verdict", &T::verdict, verdict_outputs(), "what all checks say together")
           .list("checks[]", &T::checks, check_outputs(), "the index of the life, against `reliability.target`")
           .list("warnings[]", &T::warnings, warning_outputs(), "what may be wrong")
           .key("wave", inner(&T::answer, &ReliabilityAnswer::wave), "", "name of the wave of an occasion")
-          .key(
-              "years", [table](const T& told) { return table(told).years; }, "years", "life")
-          .key(
-              "occasions_per_year", [table](const T& told) { return table(told).occasions_per_year; }, "1/year",
-              "occasions, taken as independent of each other")
-          .key(
-              "seed", [table](const T& told) { return table(told).seed; }, "", "of all samples")
+          .key("years", table(&ReliabilityTable::years), "years", "life")
+          .key("occasions_per_year", table(&ReliabilityTable::occasions_per_year), "1/year",
+               "occasions, taken as independent of each other")
+          .key("seed", table(&ReliabilityTable::seed), "", "of all samples")
           .key("system", inner(&T::answer, &ReliabilityAnswer::system), "",
                "name of the mode that stands for the whole")
           .named("modes.NAME", inner(&T::answer, &ReliabilityAnswer::modes), &ModeAnswer::name, mode_outputs(),
@@ -111,10 +106,10 @@ std::vector<OutputRow> rows_of_reliability() {
   return reliability_outputs().rows();
 }
 
-std::string to_json(const Design& design, const ReliabilityAnswer& answer) {
+Json to_json(const Design& design, const ReliabilityAnswer& answer) {
   ToldReliability told{&design, &answer, checks_of(design, answer), warnings_of(design, answer), {}};
   told.verdict = verdict_of(told.checks, told.warnings);
-  return reliability_outputs().text(told);
+  return reliability_outputs().to_json(told);
 }
 
 }  // namespace upbead

@@ -1,73 +1,12 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "base/text.h"
+#include "output/output_text.h"
 #include "reliability/answer.h"
-#include "reliability/text_columns.h"
 
 namespace upbead {
 
 namespace {
-
-std::string cell(const std::optional<double>& value, int digits = 3) {
-  return value ? significant(*value, digits) : "-";
-}
-
-TextRow chances_row(const ModeAnswer& mode) {
-  return {mode.name,
-          cell(mode.occasion.probability),
-          cell(mode.year.probability),
-          cell(mode.life.probability),
-          cell(mode.occasion.index),
-          cell(mode.life.index),
-          mode.governing.empty() ? "-" : mode.governing};
-}
-
-/// beta by each method, with the coefficient of variation of sampled probabilities.
-std::string methods_table(const ReliabilityAnswer& answer) {
-  std::vector<TextRow> rows{{"mode"}};
-  for (const ModeAnswer& mode : answer.modes) {
-    if (mode.methods.empty()) continue;
-    TextRow row{mode.name};
-    for (const std::string& method : reliability_methods)
-      for (const MethodAnswer& found : mode.methods)
-        if (found.method == method)
-          row.push_back(cell(found.index, 4) +
-                        (found.variation ? " (" + significant(100. * *found.variation, 2) + " %)" : ""));
-    if (mode.is_system && row.size() < rows.front().size() && rows.front()[2] == "sorm")
-      row.insert(row.begin() + 2, "-");
-    if (rows.front().size() == 1)
-      for (const MethodAnswer& found : mode.methods) rows.front().push_back(found.method);
-    rows.push_back(row);
-  }
-  return "\nIndex beta of an occasion by each method (coefficient of variation of the probability)\n" + columns(rows);
-}
-
-std::string point_table(const ModeAnswer& mode) {
-  std::vector<TextRow> rows{
-      {"  variable", "acts on", "characteristic", "design value", "importance", "partial factor"}};
-  for (const DesignValue& v : mode.point)
-    rows.push_back({"  " + v.variable, v.acts_on, with_unit(v.characteristic, v.unit), with_unit(v.value, v.unit),
-                    percent(v.importance), cell(v.partial_factor)});
-  return mode.name + "\n" + columns(rows);
-}
-
-std::string codes_table(const ReliabilityAnswer& answer) {
-  std::vector<TextRow> rows{{"code: what", "found", "target", ""}};
-  std::string none;
-  for (const CodeRow& row : answer.codes) {
-    const std::optional<bool> holds = row.holds();
-    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    rows.push_back({row.code + ": " + row.what, row.value ? cell(row.value) + unit : "-",
-                    row.target ? (row.at_least ? ">= " : "<= ") + cell(row.target) + unit : "-",
-                    !holds   ? "-"
-                    : *holds ? "holds"
-                             : "FAILS"});
-    if (!row.why_not.empty() && none.find(row.why_not) == std::string::npos) none += row.why_not + "\n";
-  }
-  return "\nDemands of codes, side by side (all targets but that of 1998 are assumed, from memory)\n" + columns(rows) +
-         none;
-}
 
 std::string reasons(const ReliabilityAnswer& answer) {
   std::string text;
@@ -134,20 +73,30 @@ NumberedWarnings one_level(const DesignTables& tables) {
 
 }  // namespace
 
-std::string text_of(const Design& design, const ReliabilityAnswer& answer) {
-  const ReliabilityTable& table = *design.tables.reliability;
-  std::string text = design.tables.title.empty() ? "" : design.tables.title + "\n";
-  text += "wave " + answer.wave + ", " + significant(table.occasions_per_year, 6) + " a year, " +
-          significant(table.years, 6) + " years, taken as independent of each other; seed " +
-          std::to_string(table.seed) + "\n\nProbability of failure\n";
-  std::vector<TextRow> rows{{"mode", "occasion", "year", "life, at most", "beta", "beta of life", "by"}};
-  for (const ModeAnswer& mode : answer.modes) rows.push_back(chances_row(mode));
-  text += columns(rows) + methods_table(answer) + reasons(answer) + "\nDesign points, where failure is likeliest\n";
-  for (const ModeAnswer& mode : answer.modes)
-    if (!mode.point.empty()) text += point_table(mode);
-  text += codes_table(answer);
+std::string brief(const Design& design, const ReliabilityAnswer& answer, const Json& summary) {
+  const std::vector<OutputRow> rows = rows_of_reliability();
+  const std::string title = design.tables.title.empty() ? "" : design.tables.title + "\n";
   const Checks checks = checks_of(design, answer);
-  return text + "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
+  return title + text_of(summary, rows, {"wave", "years", "occasions_per_year", "seed"}) +
+         "\nProbability of failure\n" +
+         table_of(summary["modes"], rows, "modes.NAME",
+                  {{"occasion", "occasion.probability"},
+                   {"year", "year.probability"},
+                   {"life, at most", "life.probability"},
+                   {"beta", "occasion.index"},
+                   {"beta of life", "life.index"},
+                   {"by", "governing"}},
+                  "mode") +
+         reasons(answer) +
+         "\nDemands of codes, side by side (all targets but that of 1998 are assumed, from memory)\n" +
+         table_of(summary["codes"], rows, "codes[]",
+                  {{"code", "code"},
+                   {"what", "what"},
+                   {"found", "value"},
+                   {"target", "target"},
+                   {"unit", "unit"},
+                   {"holds", "holds"}}) +
+         "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {

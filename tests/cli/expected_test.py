@@ -240,8 +240,10 @@ class Expected(ProgramTest):
         self.assertLess(abs(life["mean"] - life["without_scatter"]), 3 * life["standard_error"])
         self.assertEqual([found["expected"]["limit"], life["limit"]], ["breaking", "breaking"])
         told = upbead("expected", "surf.toml", cwd=self.folder)
-        self.assertRegex(told.stdout, r"the highest 10\.86 m \(the limit\)")
-        self.assertRegex(told.stdout, r"limit +Goda's highest breaker, 9\.568 to 10\.86 m: 85\.14 of \S+ waves")
+        self.assertRegex(told.stdout, r"  highest +10\.86 m +the height that one wave exceeds, or the limit\n  limit +breaking\n  share_limited +0\.00\d+ ")
+        told = upbead("expected", "surf.toml", "--details", cwd=self.folder)
+        self.assertRegex(told.stdout, r"  waves_limited +85\.14 ")
+        self.assertRegex(told.stdout, r",\s+highest 9\.568 m")
 
     def test_waves_that_all_break_press_as_the_breaker_does(self):
         """1,000 waves of H_1/3 = 50 m that all break to one height: every life has the heel pressure of that
@@ -266,8 +268,7 @@ class Expected(ProgramTest):
             np.testing.assert_allclose(file["lives/heel_pressure"][:], wave["heel_pressure"], rtol=1e-9)
             self.assertTrue((np.diff(file["heights/heel_pressure"][:]) >= 0).all())
         told = upbead("expected", "surf.toml", *limits, cwd=self.folder).stdout
-        self.assertRegex(told, r"heel +mean \d+\.?\d* kPa")
-        self.assertIn("above 300 kPa: 100 % of the lives", told)
+        self.assertRegex(told, r"peak_heel_pressure\n +mean +\d+\.?\d* kPa .*\n +quantiles\n(.*\n)+ +limit +300 kPa .*\n +probability +1 ")
         checks = {check["name"]: check for check in found["checks"]}
         for name in ("heel pressure p_e, highest wave", "heel pressure p_e, of the median life"):
             self.assertEqual((checks[name]["holds"], checks[name]["by"]), (False, "formulas"))
@@ -294,7 +295,7 @@ class Expected(ProgramTest):
         for base in (found["expected"]["base"]["goda"], found["monte_carlo"]["base"]):
             heel = base["peak_heel_pressure"]
             self.assertIsNone(heel["mean"] if isinstance(heel, dict) else heel)
-        self.assertIn("none: the resultant leaves the base", upbead("expected", "surf.toml", *light, cwd=self.folder).stdout)
+        self.assertIn("none where the resultant leaves the base", upbead("expected", "surf.toml", *light, cwd=self.folder).stdout)
 
     def test_limits_by_hand_and_none(self):
         """Without breaking, the numbers are those of the version before breaking was added."""

@@ -68,24 +68,19 @@ OutputSchema<CalibrationFit> certainty_outputs() {
 
 OutputSchema<CalibrationFit> fit_outputs() {
   using C = CalibrationFit;
-  const auto best = [](double DurationFactor::*member) {
-    return [member](const C& c) { return c.fit ? std::optional(c.fit->best.*member) : std::nullopt; };
-  };
-  const auto residual = [](const C& c) { return c.fit ? std::optional(c.fit->residual_deviation) : std::nullopt; };
+  using F = DurationFit;
   return OutputSchema<C>()
       .key(
           "measure", [](const C& c) { return word(c.measure); }, "", "of tau_0")
       .key("ratio", &C::ratio, "", "r; null: all r")
-      .key(
-          "points", [](const C& c) { return c.points.size(); }, "", "how many")
-      .key("a", best(&DurationFactor::a), "", "of k(alpha*); null with too few points, as b")
-      .key("b", best(&DurationFactor::b), "", "of k(alpha*)")
+      .key("points", inner(&C::points, &std::vector<DurationPoint>::size), "", "how many")
+      .key("a", inner(&C::fit, &F::best, &DurationFactor::a), "", "of k(alpha*); null with too few points, as b")
+      .key("b", inner(&C::fit, &F::best, &DurationFactor::b), "", "of k(alpha*)")
       .keys_of([](const C& c) { return &c; }, certainty_outputs())
-      .key("residual_deviation", residual, "",
+      .key("residual_deviation", inner(&C::fit, &F::residual_deviation), "",
            "sqrt(sum of squares / (points - 2)); absent without a fit, as `quality`")
       .or_left_out()
-      .object(
-          "quality", [](const C& c) { return c.fit ? &c.fit->quality : nullptr; }, quality_outputs(), "of the fit")
+      .object("quality", inner(&C::fit, &F::quality), quality_outputs(), "of the fit")
       .or_left_out()
       .key(
           "doubt", [](const C& c) { return c.fit ? word(c.fit->doubt) : "too_few"; }, "",
@@ -96,30 +91,25 @@ OutputSchema<CalibrationFit> fit_outputs() {
 
 OutputSchema<CalibrationFit> recommended_outputs() {
   using C = CalibrationFit;
+  using F = DurationFit;
   return OutputSchema<C>()
       .key(
           "measure", [](const C& c) { return word(c.measure); }, "", "of tau_0")
       .key("ratio", &C::ratio, "", "r; null: all r")
-      .key(
-          "a", [](const C& c) { return c.fit->best.a; }, "", "of k(alpha*)")
-      .key(
-          "b", [](const C& c) { return c.fit->best.b; }, "", "of k(alpha*)")
-      .key(
-          "residual_deviation", [](const C& c) { return c.fit->residual_deviation; }, "", "of k");
+      .key("a", inner(&C::fit, &F::best, &DurationFactor::a), "", "of k(alpha*)")
+      .key("b", inner(&C::fit, &F::best, &DurationFactor::b), "", "of k(alpha*)")
+      .key("residual_deviation", inner(&C::fit, &F::residual_deviation), "", "of k");
 }
 
 OutputSchema<CalibratedSoil> calibrated_soil_outputs() {
   using S = CalibratedSoil;
+  using F = DurationFit;
   return OutputSchema<S>()
-      .key(
-          "soil.KEY", [](const S& s) { return Json(s.soil); }, "", "value of each key of the box")
+      .key("soil.KEY", &S::soil, "", "value of each key of the box")
       .key("error", &S::error, "", "estimated, of the model's history of F_T over its peak")
-      .key(
-          "a", [](const S& s) { return s.fit ? std::optional(s.fit->best.a) : std::nullopt; }, "",
-          "of its own recommended k(alpha*); null where all fits are doubted")
-      .key(
-          "b", [](const S& s) { return s.fit ? std::optional(s.fit->best.b) : std::nullopt; }, "",
-          "of its own recommended k(alpha*)");
+      .key("a", inner(&S::fit, &F::best, &DurationFactor::a), "",
+           "of its own recommended k(alpha*); null where all fits are doubted")
+      .key("b", inner(&S::fit, &F::best, &DurationFactor::b), "", "of its own recommended k(alpha*)");
 }
 
 OutputSchema<CalibratedModel> calibrated_model_outputs() {
@@ -185,8 +175,8 @@ std::vector<OutputRow> rows_of_calibration() {
   return calibration_outputs().rows();
 }
 
-std::string to_json(const Design& design, const Calibration& found) {
-  return calibration_outputs().text({&design, &found, warnings_of(design, found)});
+Json to_json(const Design& design, const Calibration& found) {
+  return calibration_outputs().to_json({&design, &found, warnings_of(design, found)});
 }
 
 }  // namespace upbead

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "base/format.h"
 #include "base/text.h"
+#include "output/output_text.h"
 #include "output/result_file.h"
 #include "upbead/base/error.h"
 #include "upbead/input/node.h"
@@ -13,85 +13,6 @@
 namespace upbead {
 
 namespace {
-
-std::string name_of(const std::optional<double>& ratio) {
-  return ratio ? significant(*ratio, 4) : "all";
-}
-
-/// "0.30 +- 0.01"; without the error where there is no meaningful one.
-std::string estimate(const DurationFit& fit, double value, int index) {
-  if (!fit.has_covariance()) return format("%.4g", value);
-  return format("%.4g +- %.2g", value, std::sqrt(fit.covariance(index, index)));
-}
-
-std::string remark(const CalibrationFit& found) {
-  if (!found.fit) return "too few waves";
-  switch (found.fit->doubt) {
-    case FitDoubt::edge:
-      return "not identifiable: runs to the end of its range";
-    case FitDoubt::ill_conditioned:
-      return "not identifiable: a and b cannot be distinguished";
-    case FitDoubt::reaches_zero:
-      return "the ellipse reaches 0";
-    case FitDoubt::none:
-      break;
-  }
-  return found.given_in_ellipse ? "holds the given a, b" : "";
-}
-
-std::string row(const CalibrationFit& found) {
-  const std::string head = format("  %-8s %-5s %6d  ", word(found.measure), name_of(found.ratio).c_str(),
-                                  static_cast<int>(found.points.size()));
-  const std::string given = format("%8.3f %8.2f  ", found.given.deviation, found.given.r_squared);
-  if (!found.fit) return head + format("%-16s %-16s %8s %8s ", "-", "-", "-", "-") + given + remark(found) + "\n";
-  const DurationFit& fit = *found.fit;
-  return head +
-         format("%-16s %-16s %8.3f %8.2f ", estimate(fit, fit.best.a, 0).c_str(), estimate(fit, fit.best.b, 1).c_str(),
-                fit.residual_deviation, fit.quality.r_squared) +
-         given + remark(found) + "\n";
-}
-
-/// Between which a and b the soils lie, each with its own fit.
-std::string text_of_soils(const std::vector<CalibratedSoil>& soils) {
-  std::vector<double> a, b;
-  for (const CalibratedSoil& soil : soils)
-    if (soil.fit) {
-      a.push_back(soil.fit->best.a);
-      b.push_back(soil.fit->best.b);
-    }
-  if (a.empty()) return "";
-  const auto range = [](const std::vector<double>& list) { return std::minmax_element(list.begin(), list.end()); };
-  return format("  soils       %d of %d with a fit of their own: a from %.4g to %.4g, b from %.4g to %.4g\n",
-                static_cast<int>(a.size()), static_cast<int>(soils.size()), *range(a).first, *range(a).second,
-                *range(b).first, *range(b).second);
-}
-
-std::string text_of(const CalibratedModel& model, const DurationFactor& given) {
-  double least = HUGE_VAL, largest = 0.;
-  for (const CalibratedWave& wave : model.waves) {
-    least = std::min(least, wave.peak_shear / wave.impact.peak);
-    largest = std::max(largest, wave.peak_shear / wave.impact.peak);
-  }
-  std::string text = format("\n%s  scale %.4g, load %s, steps of %.3g s; peak F_T / peak P_I from %.2f to %.2f\n",
-                            model.name.c_str(), model.scale, model.load.c_str(), model.step, least, largest);
-  text += format("  %-8s %-5s %6s  %-16s %-16s %8s %8s %s\n", "measure", "r", "waves", "a", "b", "s", "R2",
-                 format("with a = %.3g, b = %.3g: s, R2", given.a, given.b).c_str());
-  for (const CalibrationFit& fit : model.fits) text += row(fit);
-  text += text_of_soils(model.soils);
-  const CalibrationFit* take = recommended(model);
-  if (!take) return text + "  for design  none: every fit of S itself is doubted\n";
-  return text +
-         format("  for design  a = %.4g, b = %.4g: tau_0 by S itself (exact), r %s; k scatters by %.2g about it\n",
-                take->fit->best.a, take->fit->best.b, name_of(take->ratio).c_str(), take->fit->residual_deviation);
-}
-
-std::string waves_text(const Calibration& found) {
-  std::string text =
-      format("waves       %d of a grid of %d", static_cast<int>(found.n_waves), static_cast<int>(found.n_grid));
-  for (const auto& [why, n] : found.left)
-    text += std::string(why == found.left.begin()->first ? "; left out: " : ", ") + std::to_string(n) + " " + why;
-  return text + "\n";
-}
 
 /// The value of a row; none where there is no tau_0.
 using Value = std::optional<double>;
@@ -172,11 +93,28 @@ std::string cell(const Column& column, const Value& value) {
 
 }  // namespace
 
-std::string text_of(const Design& design, const Calibration& found) {
-  std::string text = design.tables.title.empty() ? "" : design.tables.title + "\n";
-  text += waves_text(found);
-  for (const CalibratedModel& model : found.models) text += text_of(model, found.given);
-  return text + format("time        %.2f s\n", found.seconds);
+std::string brief(const Json& summary) {
+  const std::vector<OutputRow> rows = rows_of_calibration();
+  std::string text = summary["title"].get<std::string>();
+  text += (text.empty() ? "" : "\n") + text_of(summary, rows, {"waves"});
+  for (const auto& model : summary["models"].items()) {
+    const std::string of = "models." + model.key() + ".";
+    text += "\n" + text_of(summary, rows, {of + "load", of + "scale", of + "step", of + "recommended", of + "soils"}) +
+            table_of(model.value()["fits"], rows, "models.NAME.fits[]",
+                     {{"measure", "measure"},
+                      {"r", "ratio"},
+                      {"waves", "points"},
+                      {"a", "a"},
+                      {"+-", "standard_error.a"},
+                      {"b", "b"},
+                      {"+-", "standard_error.b"},
+                      {"s", "residual_deviation"},
+                      {"R2", "quality.r_squared"},
+                      {"given: s", "given.deviation"},
+                      {"R2", "given.r_squared"},
+                      {"doubt", "doubt"}});
+  }
+  return text;
 }
 
 NumberedWarnings warnings_of(const Design& design, const Calibration& found) {

@@ -1,5 +1,5 @@
 // The calibration of k(alpha*): tau_0 of many waves by the caisson's own dynamics, the k fitted to them, and the
-// output of `upbead calibrate`: summary.json, calibration.csv, results.h5, and text.
+// output of `upbead calibrate`: summary.json, calibration.csv, results.h5, and in brief.
 #pragma once
 
 #include <array>
@@ -11,12 +11,11 @@
 #include "design/calibrate/calibration_waves.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
+#include "output/output_schema.h"
 #include "soils/soil_text.h"
 #include "upbead/base/numbered_warning.h"
 
 namespace upbead {
-
-struct OutputRow;
 
 /// Ways to find tau_0 of a history, see HistoryDuration.
 enum class DurationMeasure { paper, exact, excess, impulse };
@@ -84,14 +83,15 @@ struct Calibration {
 Calibration calibrate(const Design& design);
 
 /// Throws NumericsError where a number is not finite.
-std::string to_json(const Design& design, const Calibration& found);
+Json to_json(const Design& design, const Calibration& found);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_calibration();
 /// One row for each model, wave and r.
 std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.
 std::string calibration_file(const Design& design, const Calibration& found);
-std::string text_of(const Design& design, const Calibration& found);
+/// The recommended fits and all others, for the terminal.
+std::string brief(const Json& summary);
 /// Numbers whose unit was probably mistaken, and fits that are doubtful.
 NumberedWarnings warnings_of(const Design& design, const Calibration& found);
 
