@@ -19,13 +19,12 @@ TableSchema<MeshChoice> mesh_schema() {
   table
       .key("refine", &MeshChoice::refine, "",
            "number of uniform refinements; auto: cells are split until the error that they make in F_T is below the "
-           "tolerance")
-      .range(from_to(0., 6.))
+           "tolerance",
+           from_to(0., 6.))
       .or_word("auto");
-  table
-      .key("degree", &MeshChoice::degree, "",
-           "polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto")
-      .range(from_to(2., 3.));
+  table.key("degree", &MeshChoice::degree, "",
+            "polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto",
+            from_to(2., 3.));
   table
       .key("full_domain", &MeshChoice::full_domain, "",
            "true: solve also where no wave could come from the loads and be read of before the end")
@@ -43,13 +42,14 @@ TableSchema<Boundary> boundary_schema() {
   table.choice("pressure", &Boundary::pressure, pressure_words,
                "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity "
                "waves on a level of free water; needed where the boundary meets water");
-  table.key("spring", &Boundary::spring, "Pa/m", "stress per displacement along the normal and along the tangent")
-      .range(at_least(0.))
+  table
+      .key("spring", &Boundary::spring, "Pa/m", "stress per displacement along the normal and along the tangent",
+           at_least(0.))
       .fallback("none");
   table
       .key("dashpot", &Boundary::dashpot, "Pa s/m",
-           "stress per velocity along the normal and along the tangent; takes energy as an absorbing side does")
-      .range(at_least(0.))
+           "stress per velocity along the normal and along the tangent; takes energy as an absorbing side does",
+           at_least(0.))
       .fallback("none");
   return table;
 }
@@ -59,8 +59,8 @@ TableSchema<Surcharge> surcharge_schema() {
   table.key("boundary", &Surcharge::boundary, "", "curve of the ground's surface that it lies on").required();
   table
       .key("weight", &Surcharge::weight, "Pa",
-           "its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity")
-      .range(above(0.))
+           "its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity",
+           above(0.))
       .required();
   table.key("from", &Surcharge::from, "m", "x of its seaward end").fallback("the curve's end");
   table.key("to", &Surcharge::to, "m", "x of its landward end").fallback("the curve's end");
@@ -77,8 +77,7 @@ TableSchema<InitialState> initial_schema() {
            "pressure under the base that falls from one to the other, then are in the stresses at rest, W', the "
            "margins and S")
       .fallback("one level");
-  table.key("k0", &InitialState::k0, "", "ratio K_0 of horizontal to vertical effective stress")
-      .range(between(0., 5.))
+  table.key("k0", &InitialState::k0, "", "ratio K_0 of horizontal to vertical effective stress", between(0., 5.))
       .fallback("from the elastic solution");
   table.choice(
       "start", &InitialState::start, rest_start_words,
@@ -99,8 +98,9 @@ TableSchema<InitialState> initial_schema() {
 
 TableSchema<ConstructionStage> construction_schema() {
   TableSchema<ConstructionStage> table;
-  table.key("order", &ConstructionStage::order, "", "place among the stages; the first is the ground as it is found")
-      .range(at_least(0.))
+  table
+      .key("order", &ConstructionStage::order, "", "place among the stages; the first is the ground as it is found",
+           at_least(0.))
       .required();
   table
       .key("regions", &ConstructionStage::regions, "",
@@ -109,8 +109,8 @@ TableSchema<ConstructionStage> construction_schema() {
   table
       .key("caisson_share", &ConstructionStage::caisson_share, "",
            "share of the caisson's weight in air that stands from this stage on; an empty caisson has less than 1, and "
-           "a later stage fills it")
-      .range(above(0.))
+           "a later stage fills it",
+           above(0.))
       .fallback("as before; all of a new caisson");
   table.key("water_level", &ConstructionStage::water_level, "m", "height y of still water in this stage")
       .fallback("that before the waves");
@@ -119,25 +119,22 @@ TableSchema<ConstructionStage> construction_schema() {
 
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
-  table.key("end", &TimeChoice::end, "s", "end of the computed time")
-      .range(above(0.))
+  table.key("end", &TimeChoice::end, "s", "end of the computed time", above(0.))
       .fallback("when the loads and the section's answer to them are over; explain tells it");
-  table.key("step", &TimeChoice::step, "s", "time step; auto: chosen from the loads and the tolerance")
-      .range(above(0.))
+  table.key("step", &TimeChoice::step, "s", "time step; auto: chosen from the loads and the tolerance", above(0.))
       .or_word("auto");
   table.choice(
       "scheme", &TimeChoice::scheme, time_scheme_words,
       "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a march");
   table.key("inertia", &TimeChoice::inertia, "", "whether inertia counts; false: quasi-static (consolidation)");
-  table
-      .key("growth", &TimeChoice::growth, "",
-           "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "
-           "to a 50th of end; 1: equal steps")
-      .range(from_to(1., 10.));
+  table.key("growth", &TimeChoice::growth, "",
+            "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "
+            "to a 50th of end; 1: equal steps",
+            from_to(1., 10.));
   table
       .key("stop_at_energy", &TimeChoice::stop_at_energy, "",
-           "share of the largest energy; the run stops once the loads are over and the energy has fallen below it")
-      .range(between(0., 1.))
+           "share of the largest energy; the run stops once the loads are over and the energy has fallen below it",
+           between(0., 1.))
       .fallback("never before end");
   return table;
 }
@@ -150,10 +147,8 @@ TableSchema<Probe> probe_schema() {
 
 TableSchema<CaseTables> accuracy_schema() {
   TableSchema<CaseTables> table;
-  table
-      .key("tolerance", &CaseTables::tolerance, "",
-           "error allowed in the shear force F_T, over its largest; sets what is auto")
-      .range(between(0., 1.));
+  table.key("tolerance", &CaseTables::tolerance, "",
+            "error allowed in the shear force F_T, over its largest; sets what is auto", between(0., 1.));
   table.choice("of", &CaseTables::accuracy_of, accuracy_of_words,
                "what of F_T the tolerance makes the mesh for, where refine is auto: history: F_T at every time, and so "
                "its peak; peak: that alone, on fewer cells");
@@ -165,7 +160,7 @@ TableSchema<CaseTables> accuracy_schema() {
 
 TableSchema<CaseTables> output_schema() {
   TableSchema<CaseTables> fields;
-  fields.key("every", &CaseTables::fields_every, "s", "time between two written fields").range(above(0.)).required();
+  fields.key("every", &CaseTables::fields_every, "s", "time between two written fields", above(0.)).required();
   TableSchema<CaseTables> table;
   table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
   table.key("base", &CaseTables::base_stress, "",
@@ -173,14 +168,14 @@ TableSchema<CaseTables> output_schema() {
   table
       .key("times", &CaseTables::output_times, "s",
            "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "
-           "are written; the steps meet them")
-      .range(above(0.))
+           "are written; the steps meet them",
+           above(0.))
       .fallback("none");
   table
       .key("every", &CaseTables::output_every, "s",
            "time between values of smooth histories, in /dense of results.h5; between the ends of steps as accurate as "
-           "the scheme")
-      .range(above(0.))
+           "the scheme",
+           above(0.))
       .fallback("only the steps' own times");
   return table;
 }
@@ -189,15 +184,13 @@ TableSchema<CaseTables> output_schema() {
 
 TableSchema<Fluid> fluid_schema() {
   TableSchema<Fluid> table;
-  table.key("density", &Fluid::density, "kg/m3", "density of the water").range(above(0.));
-  table.key("bulk_modulus", &Fluid::bulk_modulus, "Pa", "bulk modulus of the water; inf is allowed")
-      .range(above(0.).or_infinite());
-  table.key("viscosity", &Fluid::viscosity, "Pa s", "dynamic viscosity of the water, for regions with a permeability")
-      .range(above(0.));
-  table
-      .key("atmospheric_pressure", &Fluid::atmospheric_pressure, "Pa",
-           "pressure of the air on still water, for regions with a saturation below 1")
-      .range(at_least(0.));
+  table.key("density", &Fluid::density, "kg/m3", "density of the water", above(0.));
+  table.key("bulk_modulus", &Fluid::bulk_modulus, "Pa", "bulk modulus of the water; inf is allowed",
+            above(0.).or_infinite());
+  table.key("viscosity", &Fluid::viscosity, "Pa s", "dynamic viscosity of the water, for regions with a permeability",
+            above(0.));
+  table.key("atmospheric_pressure", &Fluid::atmospheric_pressure, "Pa",
+            "pressure of the air on still water, for regions with a saturation below 1", at_least(0.));
   return table;
 }
 
@@ -209,7 +202,7 @@ std::vector<std::string> tables_of_designs() {
 TableSchema<CaseTables> case_schema() {
   TableSchema<CaseTables> table;
   table.key("title", &CaseTables::title, "", "title of the case");
-  table.key("gravity", &CaseTables::gravity, "m/s2", "acceleration of gravity").range(above(0.));
+  table.key("gravity", &CaseTables::gravity, "m/s2", "acceleration of gravity", above(0.));
   table.table("fluid", &CaseTables::fluid, fluid_schema()).doc("Pore water and sea water.");
   table.table("mesh", &CaseTables::mesh, mesh_schema()).doc("Exactly one of geometry and file is needed.");
   table.tables("regions", &CaseTables::regions, region_schema())

@@ -8,11 +8,9 @@ namespace {
 
 TableSchema<Rayleigh> damping_schema() {
   TableSchema<Rayleigh> table;
-  table.key("ratio", &Rayleigh::ratio, "", "damping ratio at both frequencies").range(from_to_below(0., 1.)).required();
-  table
-      .key("frequencies", &Rayleigh::frequencies, "Hz",
-           "two frequencies, ascending, at or between which the ratio holds")
-      .range(above(0.));
+  table.key("ratio", &Rayleigh::ratio, "", "damping ratio at both frequencies", from_to_below(0., 1.)).required();
+  table.key("frequencies", &Rayleigh::frequencies, "Hz",
+            "two frequencies, ascending, at or between which the ratio holds", above(0.));
   table.choice("fit", &Rayleigh::fit, rayleigh_fit_words,
                "where the ratio holds; ends: at both frequencies, less between them; band: between them, as much above "
                "it at the ends as below it in the middle");
@@ -21,31 +19,24 @@ TableSchema<Rayleigh> damping_schema() {
 
 TableSchema<StressLaw> stress_law_schema() {
   TableSchema<StressLaw> table;
-  table.key("reference", &StressLaw::reference, "Pa", "shear modulus G at the stress `pressure`")
-      .range(above(0.))
-      .required();
-  table.key("pressure", &StressLaw::pressure, "Pa", "mean effective stress to which `reference` belongs")
-      .range(above(0.));
-  table.key("exponent", &StressLaw::exponent, "", "exponent of the stress").range(from_to(0., 1.));
+  table.key("reference", &StressLaw::reference, "Pa", "shear modulus G at the stress `pressure`", above(0.)).required();
+  table.key("pressure", &StressLaw::pressure, "Pa", "mean effective stress to which `reference` belongs", above(0.));
+  table.key("exponent", &StressLaw::exponent, "", "exponent of the stress", from_to(0., 1.));
   table
       .key("floor", &StressLaw::floor, "Pa",
-           "least mean effective stress that counts; near free surfaces G would vanish")
-      .range(above(0.))
+           "least mean effective stress that counts; near free surfaces G would vanish", above(0.))
       .fallback("a tenth of the region's mean");
   return table;
 }
 
 TableSchema<StrainLaw> strain_law_schema() {
   TableSchema<StrainLaw> table;
-  table
-      .key("reference_strain", &StrainLaw::reference_strain, "",
-           "shear strain at which G is half of that at vanishing strain (Hardin and Drnevich)")
-      .range(above(0.));
-  table.key("smallest_damping", &StrainLaw::smallest_damping, "", "damping ratio at vanishing strain")
-      .range(from_to_below(0., 1.));
-  table.key("largest_damping", &StrainLaw::largest_damping, "", "damping ratio at large strain")
-      .range(from_to_below(0., 1.));
-  table.key("effective", &StrainLaw::effective, "", "effective over largest shear strain of a cell").range(above(0.));
+  table.key("reference_strain", &StrainLaw::reference_strain, "",
+            "shear strain at which G is half of that at vanishing strain (Hardin and Drnevich)", above(0.));
+  table.key("smallest_damping", &StrainLaw::smallest_damping, "", "damping ratio at vanishing strain",
+            from_to_below(0., 1.));
+  table.key("largest_damping", &StrainLaw::largest_damping, "", "damping ratio at large strain", from_to_below(0., 1.));
+  table.key("effective", &StrainLaw::effective, "", "effective over largest shear strain of a cell", above(0.));
   table
       .key("modulus", &StrainLaw::modulus, "",
            "pairs of shear strain and G/G_max, straight over the logarithm of the strain")
@@ -57,58 +48,45 @@ TableSchema<StrainLaw> strain_law_schema() {
 
 TableSchema<Strength> strength_schema() {
   TableSchema<Strength> table;
-  table.key("friction_angle", &Strength::friction_angle, "degrees", "effective angle of friction phi'")
-      .range(from_to_below(0., 90.))
+  table
+      .key("friction_angle", &Strength::friction_angle, "degrees", "effective angle of friction phi'",
+           from_to_below(0., 90.))
       .required();
-  table.key("cohesion", &Strength::cohesion, "Pa", "effective cohesion c'").range(at_least(0.));
-  table
-      .key("dilatancy_angle", &Strength::dilatancy_angle, "degrees",
-           "angle of dilatancy psi' of Mohr-Coulomb soil, up to friction_angle")
-      .range(from_to_below(0., 90.));
-  table
-      .key("tension", &Strength::tension, "Pa",
-           "largest tensile stress of Mohr-Coulomb soil, up to cohesion / tan(friction_angle)")
-      .range(at_least(0.));
+  table.key("cohesion", &Strength::cohesion, "Pa", "effective cohesion c'", at_least(0.));
+  table.key("dilatancy_angle", &Strength::dilatancy_angle, "degrees",
+            "angle of dilatancy psi' of Mohr-Coulomb soil, up to friction_angle", from_to_below(0., 90.));
+  table.key("tension", &Strength::tension, "Pa",
+            "largest tensile stress of Mohr-Coulomb soil, up to cohesion / tan(friction_angle)", at_least(0.));
   return table;
 }
 
 TableSchema<CyclicSoil> cyclic_schema() {
   TableSchema<CyclicSoil> table;
-  table
-      .key(
-          "relative_density", &CyclicSoil::relative_density, "",
-          "relative density D_r; gives alpha = 0.34 D_r + 0.084 and beta = 0.37 D_r - 0.46, which are assumed, and the "
-          "densification of Byrne (1991); or alpha and beta")
-      .range(from_to(0.2, 1.));
+  table.key(
+      "relative_density", &CyclicSoil::relative_density, "",
+      "relative density D_r; gives alpha = 0.34 D_r + 0.084 and beta = 0.37 D_r - 0.46, which are assumed, and the "
+      "densification of Byrne (1991); or alpha and beta",
+      from_to(0.2, 1.));
   table
       .key("alpha", &CyclicSoil::alpha, "",
            "shear stress over mean effective stress at rest that liquefies the soil in one cycle: tau/sigma'_0 = alpha "
-           "N^beta")
-      .range(above(0.))
+           "N^beta",
+           above(0.))
       .fallback("by relative_density");
-  table.key("beta", &CyclicSoil::beta, "", "exponent of the number of cycles, below 0")
-      .range(between(-5., 0.))
+  table.key("beta", &CyclicSoil::beta, "", "exponent of the number of cycles, below 0", between(-5., 0.))
       .fallback("by relative_density");
   return table;
 }
 
 TableSchema<Densification> densification_schema() {
   TableSchema<Densification> table;
-  table
-      .key("relative_density", &Densification::relative_density, "",
-           "relative density D_r; gives c1 = 7600 (100 D_r)^-2.5 (Byrne 1991); or c1")
-      .range(from_to(0.2, 1.));
-  table
-      .key("c1", &Densification::c1, "",
-           "volumetric strain over shear strain of the first cycle, instead of relative_density")
-      .range(above(0.));
-  table.key("c2", &Densification::c2, "", "how fast later cycles add less, with c1")
-      .range(at_least(0.))
-      .fallback("0.4 / c1");
-  table
-      .key("threshold", &Densification::threshold, "",
-           "amplitude of the shear strain up to which nothing is added; sand has about 1e-4")
-      .range(at_least(0.));
+  table.key("relative_density", &Densification::relative_density, "",
+            "relative density D_r; gives c1 = 7600 (100 D_r)^-2.5 (Byrne 1991); or c1", from_to(0.2, 1.));
+  table.key("c1", &Densification::c1, "",
+            "volumetric strain over shear strain of the first cycle, instead of relative_density", above(0.));
+  table.key("c2", &Densification::c2, "", "how fast later cycles add less, with c1", at_least(0.)).fallback("0.4 / c1");
+  table.key("threshold", &Densification::threshold, "",
+            "amplitude of the shear strain up to which nothing is added; sand has about 1e-4", at_least(0.));
   return table;
 }
 
@@ -118,8 +96,7 @@ TableSchema<ContactLaw> contact_schema() {
       .choice("kind", &ContactLaw::kind, contact_kind_words,
               "bonded: it neither slips nor lifts; friction: Coulomb friction and no tension, node by node")
       .formerly_word("tied", "bonded");
-  table.key("coefficient", &ContactLaw::coefficient, "", "friction coefficient mu")
-      .range(above(0.))
+  table.key("coefficient", &ContactLaw::coefficient, "", "friction coefficient mu", above(0.))
       .fallback("friction of [sliding], or 0.6")
       .when(
           "kind", [](const ContactLaw& law) { return law.kind == ContactKind::friction; },
@@ -153,10 +130,10 @@ void declare_skeleton(TableSchema<Region>& table) {
   limit(table.table("strain", &Region::strain_law, strain_law_schema())
             .doc("Of elastic soil: equivalent-linear, G and damping by the strain of the response, iterated cell by "
                  "cell; linear without this table. Of hysteretic soil: its curve of G, from which damping follows."));
-  limit(table.key("youngs_modulus", &Region::youngs_modulus, "Pa", "Young modulus E of the skeleton; or shear_modulus")
-            .range(above(0.)));
-  limit(table.key("poissons_ratio", &Region::poissons_ratio, "", "Poisson ratio of the drained skeleton; needed")
-            .range(from_to_below(0., 0.5)));
+  limit(table.key("youngs_modulus", &Region::youngs_modulus, "Pa", "Young modulus E of the skeleton; or shear_modulus",
+                  above(0.)));
+  limit(table.key("poissons_ratio", &Region::poissons_ratio, "", "Poisson ratio of the drained skeleton; needed",
+                  from_to_below(0., 0.5)));
   limit(table.table("damping", &Region::damping, damping_schema())
             .doc("Rayleigh damping; without this table there is none."));
   limit(table.table("strength", &Region::strength, strength_schema())
@@ -171,44 +148,37 @@ void declare_skeleton(TableSchema<Region>& table) {
 }
 
 void declare_mass(TableSchema<Region>& table) {
-  limit(table.key("density", &Region::density, "kg/m3", "density; needed in a solid, in a rigid region density or mass")
-            .range(above(0.)));
-  limit(table.key("mass", &Region::mass, "kg/m", "mass of the region per metre; or density").range(above(0.)));
+  limit(table.key("density", &Region::density, "kg/m3", "density; needed in a solid, in a rigid region density or mass",
+                  above(0.)));
+  limit(table.key("mass", &Region::mass, "kg/m", "mass of the region per metre; or density", above(0.)));
   limit(table.key("centre_of_gravity", &Region::centre_of_gravity, "m", "centre of gravity (x, y)")
             .fallback("that of the area"));
   limit(table
             .key("moment_of_inertia", &Region::moment_of_inertia, "kg m2/m",
-                 "moment of inertia about the centre of gravity")
-            .range(above(0.))
+                 "moment of inertia about the centre of gravity", above(0.))
             .fallback("that of the area, evenly filled"));
   limit(table.table("interface", &Region::interface, contact_schema())
             .doc("How the bottom of the region caisson stands on its ground; bonded without this table."));
 }
 
 void declare_pores(TableSchema<Region>& table) {
-  limit(
-      table.key("porosity", &Region::porosity, "", "share of the pores in the volume; needed").range(between(0., 1.)));
-  limit(table.key("grain_density", &Region::grain_density, "kg/m3", "density of the grains; needed").range(above(0.)));
-  limit(table
-            .key("hydraulic_conductivity", &Region::hydraulic_conductivity, "m/s",
-                 "hydraulic conductivity k; or permeability; needed unless flow is drained")
-            .range(above(0.)));
-  limit(table
-            .key("permeability", &Region::permeability, "m2",
-                 "intrinsic permeability kappa; instead of k = kappa rho_f g / mu, mu = fluid.viscosity")
-            .range(above(0.)));
-  limit(table
-            .key("saturation", &Region::saturation, "",
-                 "share of water in the volume of the pores; the rest is bubbles of air, which make the water softer: "
-                 "1/K = S/K_f + (1 - S)/p, p absolute at rest in the middle of the region's height")
-            .range(from_to(0.8, 1.)));
+  limit(table.key("porosity", &Region::porosity, "", "share of the pores in the volume; needed", between(0., 1.)));
+  limit(table.key("grain_density", &Region::grain_density, "kg/m3", "density of the grains; needed", above(0.)));
+  limit(table.key("hydraulic_conductivity", &Region::hydraulic_conductivity, "m/s",
+                  "hydraulic conductivity k; or permeability; needed unless flow is drained", above(0.)));
+  limit(table.key("permeability", &Region::permeability, "m2",
+                  "intrinsic permeability kappa; instead of k = kappa rho_f g / mu, mu = fluid.viscosity", above(0.)));
+  limit(table.key("saturation", &Region::saturation, "",
+                  "share of water in the volume of the pores; the rest is bubbles of air, which make the water softer: "
+                  "1/K = S/K_f + (1 - S)/p, p absolute at rest in the middle of the region's height",
+                  from_to(0.8, 1.)));
   limit(table.choice("flow", &Region::flow, flow_words,
                      "how the pore water moves; drained: no pore pressure; auto: darcy or inertial by k omega/(g n)"));
-  limit(table.key("tortuosity", &Region::tortuosity, "", "tortuosity of the pores").range(at_least(1.)));
-  limit(table.key("biot", &Region::biot, "", "Biot coefficient alpha; not below the porosity of real soils")
-            .range(from_to(0., 1.)));
-  limit(table.key("grain_bulk_modulus", &Region::grain_bulk_modulus, "Pa", "bulk modulus of the grains")
-            .range(above(0.).or_infinite()));
+  limit(table.key("tortuosity", &Region::tortuosity, "", "tortuosity of the pores", at_least(1.)));
+  limit(table.key("biot", &Region::biot, "", "Biot coefficient alpha; not below the porosity of real soils",
+                  from_to(0., 1.)));
+  limit(table.key("grain_bulk_modulus", &Region::grain_bulk_modulus, "Pa", "bulk modulus of the grains",
+                  above(0.).or_infinite()));
 }
 
 void declare_choices(TableSchema<Region>& table) {

@@ -22,8 +22,7 @@ TableSchema<UpliftTable> uplift_schema() {
               "where the uplift comes from; prescribed: peak, history or gauges; computed: the pore pressure on the "
               "bottom; wave: U = p_u B/2 of the load by a wave")
       .required();
-  table.key("peak", &UpliftTable::peak, "N/m", "largest uplift U; or history")
-      .range(at_least(0.))
+  table.key("peak", &UpliftTable::peak, "N/m", "largest uplift U; or history", at_least(0.))
       .when("kind", is_prescribed, "where the uplift is prescribed");
   table
       .choice("shape", &UpliftTable::course, uplift_course_words,
@@ -35,8 +34,7 @@ TableSchema<UpliftTable> uplift_schema() {
               "pressure over the base of a peak or history; triangle: largest at the seaward edge, zero at the heel; "
               "uniform: the same everywhere")
       .when("kind", is_prescribed, "where the uplift is prescribed");
-  table.key("lag", &UpliftTable::lag, "s", "time by which U comes after P")
-      .range(at_least(0.))
+  table.key("lag", &UpliftTable::lag, "s", "time by which U comes after P", at_least(0.))
       .when("kind", has_course, "where the uplift is prescribed");
   table
       .key("history", &UpliftTable::history_file, "",
@@ -48,13 +46,12 @@ TableSchema<UpliftTable> uplift_schema() {
 
 TableSchema<SlidingWave> wave_schema() {
   TableSchema<SlidingWave> table;
-  table.key("height", &SlidingWave::height, "m", "wave height H").range(above(0.)).required();
-  table.key("depth", &SlidingWave::depth, "m", "water depth h at the wall").range(above(0.)).required();
-  table.key("period", &SlidingWave::period, "s", "wave period T").range(above(0.)).required();
+  table.key("height", &SlidingWave::height, "m", "wave height H", above(0.)).required();
+  table.key("depth", &SlidingWave::depth, "m", "water depth h at the wall", above(0.)).required();
+  table.key("period", &SlidingWave::period, "s", "wave period T", above(0.)).required();
   table
       .key("alpha_star", &SlidingWave::alpha_star, "",
-           "pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves gives it")
-      .range(from_to(0., 2.))
+           "pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves gives it", from_to(0., 2.))
       .required();
   return table;
 }
@@ -63,18 +60,19 @@ TableSchema<SlidingWave> wave_schema() {
 
 TableSchema<SlidingTable> sliding_schema() {
   TableSchema<SlidingTable> table;
-  table.key("friction", &SlidingTable::own_friction, "", "friction coefficient mu of the bottom")
-      .range(above(0.))
+  table.key("friction", &SlidingTable::own_friction, "", "friction coefficient mu of the bottom", above(0.))
       .fallback("that of the contact or of [section], else 0.6");
-  table.key("submerged_weight", &SlidingTable::own_submerged_weight, "N/m", "weight W' of the caisson in still water")
+  table
+      .key("submerged_weight", &SlidingTable::own_submerged_weight, "N/m", "weight W' of the caisson in still water",
+           above(0.))
       .formerly("buoyant_weight")
-      .range(above(0.))
       .fallback("that of [section]; required without");
-  table.key("weight", &SlidingTable::weight, "N/m", "weight W of the caisson in air, with its fill; to check the mass")
-      .range(above(0.))
+  table
+      .key("weight", &SlidingTable::weight, "N/m", "weight W of the caisson in air, with its fill; to check the mass",
+           above(0.))
       .fallback("mass x g of the caisson");
-  table.key("drag", &SlidingTable::drag, "N s/m2", "drag force F_D over the sliding velocity; the paper neglects it")
-      .range(at_least(0.));
+  table.key("drag", &SlidingTable::drag, "N s/m2", "drag force F_D over the sliding velocity; the paper neglects it",
+            at_least(0.));
   table.table("uplift", &SlidingTable::uplift_table, uplift_schema())
       .doc("What the wave takes off the weight; nothing without this table.");
   table.table("wave", &SlidingTable::wave, wave_schema())

@@ -52,25 +52,23 @@ TableSchema<Limits> limits_schema();
 /// Declares the keys of WaveGiven.
 template <class T>
 void declare_wave(TableSchema<T>& table) {
-  table.key("height", &T::height, "m", "height H of the wave; the highest one, H_D, for a design; or deep_water_height")
-      .range(formula_length());
-  table.key("significant_height", &T::significant_height, "m", "significant height H_1/3; sets where h_b is taken")
-      .range(formula_length())
+  table.key("height", &T::height, "m", "height H of the wave; the highest one, H_D, for a design; or deep_water_height",
+            formula_length());
+  table
+      .key("significant_height", &T::significant_height, "m", "significant height H_1/3; sets where h_b is taken",
+           formula_length())
       .fallback("height / 1.8, or by random breaking");
-  table
-      .key("deep_water_height", &T::deep_water_height, "m",
-           "equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking")
-      .range(formula_length());
-  table.key("period", &T::period, "s", "significant wave period T").range(from_to(0.01, 1e4)).required();
-  table
-      .key("angle", &T::angle, "deg",
-           "angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it")
-      .range(from_to_below(0., 90.));
+  table.key("deep_water_height", &T::deep_water_height, "m",
+            "equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking", formula_length());
+  table.key("period", &T::period, "s", "significant wave period T", from_to(0.01, 1e4)).required();
+  table.key("angle", &T::angle, "deg",
+            "angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it",
+            from_to_below(0., 90.));
   table
       .key("direction", &T::direction, "deg",
            "in place of angle: where the wave comes from, clockwise from north, as on a chart; beta is its angle to "
-           "section.facing, turned by up to 15 deg towards it (Goda 2000)")
-      .range(from_to(0., 360.))
+           "section.facing, turned by up to 15 deg towards it (Goda 2000)",
+           from_to(0., 360.))
       .fallback("by angle");
 }
 
@@ -88,19 +86,15 @@ void declare_impact(TableSchema<T>& table) {
       .key("peak_gain", &T::peak_gain, "",
            "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
            "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
-           "tells")
-      .range(from_to(0., 100.))
+           "tells",
+           from_to(0., 100.))
       .fallback("as much as makes P_I Goda's P with alpha*");
-  table
-      .key("rise_coefficient", &T::rise_coefficient, "",
-           "c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption")
-      .range(from_to(0.01, 100.));
-  table
-      .key("duration_least", &T::duration_least, "",
-           "a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption")
-      .range(from_to(1.1, 1000.));
-  table.key("duration_gain", &T::duration_gain, "", "b of the duration; an assumption").range(from_to(0., 1000.));
-  table.key("duration_decay", &T::duration_decay, "", "c of the duration; an assumption").range(from_to(0., 1000.));
+  table.key("rise_coefficient", &T::rise_coefficient, "",
+            "c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption", from_to(0.01, 100.));
+  table.key("duration_least", &T::duration_least, "",
+            "a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption", from_to(1.1, 1000.));
+  table.key("duration_gain", &T::duration_gain, "", "b of the duration; an assumption", from_to(0., 1000.));
+  table.key("duration_decay", &T::duration_decay, "", "c of the duration; an assumption", from_to(0., 1000.));
   table.table("proverbs", &T::proverbs, impact_scatter_schema())
       .doc(
           "Of force = \"proverbs\": a wave of at least H_b breaks on the wall with P_I = F* rho g H_b^2, a quantile of "

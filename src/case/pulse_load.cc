@@ -27,26 +27,19 @@ TableSchema<PulseTable> pulse_schema() {
       .key("peak", &Pulse::peak, "N/m or Pa",
            "largest value, in the unit of the load's kind; of a harmonic its amplitude")
       .required();
-  table.key("rise", &Pulse::rise, "s", "time from start to peak")
-      .range(at_least(0.))
+  table.key("rise", &Pulse::rise, "s", "time from start to peak", at_least(0.))
       .fallback("half the duration; of a step 0")
       .when("shape", has_rise, "in a triangle, a church_roof and a step");
-  table
-      .key("duration", &Pulse::duration, "s",
-           "duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof")
-      .range(above(0.));
-  table.key("start", &Pulse::start, "s", "time of the start; zero before").range(at_least(0.));
-  table.key("plateau", &Pulse::plateau, "", "value of the slow part over the peak; of a church_roof")
-      .range(between(0., 1.));
-  table
-      .key("plateau_duration", &Pulse::plateau_duration, "s",
-           "time from start until the slow part has gone; of a church_roof")
-      .range(above(0.));
-  table.key("frequency", &Pulse::frequency, "Hz", "frequency; of a harmonic").range(above(0.));
-  table.key("number", &PulseTable::number, "", "of equal pulses in a row: ground and slip remember those before")
-      .range(from_to(1, most_pulses));
-  table.key("period", &PulseTable::period, "s", "from one pulse to the next; at least as long as a pulse")
-      .range(above(0.))
+  table.key("duration", &Pulse::duration, "s",
+            "duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof", above(0.));
+  table.key("start", &Pulse::start, "s", "time of the start; zero before", at_least(0.));
+  table.key("plateau", &Pulse::plateau, "", "value of the slow part over the peak; of a church_roof", between(0., 1.));
+  table.key("plateau_duration", &Pulse::plateau_duration, "s",
+            "time from start until the slow part has gone; of a church_roof", above(0.));
+  table.key("frequency", &Pulse::frequency, "Hz", "frequency; of a harmonic", above(0.));
+  table.key("number", &PulseTable::number, "", "of equal pulses in a row: ground and slip remember those before",
+            from_to(1, most_pulses));
+  table.key("period", &PulseTable::period, "s", "from one pulse to the next; at least as long as a pulse", above(0.))
       .fallback("none: there is one pulse");
   return table;
 }

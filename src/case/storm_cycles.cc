@@ -202,32 +202,29 @@ std::vector<InputFile> files_of_cycles(const Case& problem) {
 TableSchema<CyclesTable> cycles_schema() {
   using T = CyclesTable;
   TableSchema<T> table;
-  table.key("number", &T::number, "", "number of waves in each part of the storm, in order of time; as period")
-      .range(above(0.))
+  table
+      .key("number", &T::number, "", "number of waves in each part of the storm, in order of time; as period",
+           above(0.))
       .fallback("by duration; without both those of [sea] states, if the file has them");
-  table.key("duration", &T::duration, "s", "of each part, in place of number: all its waves have its period")
-      .range(above(0.))
+  table.key("duration", &T::duration, "s", "of each part, in place of number: all its waves have its period", above(0.))
       .fallback("by number");
-  table.key("period", &T::period, "s", "wave period in each part, of sea states T_1/3")
-      .range(above(0.))
+  table.key("period", &T::period, "s", "wave period in each part, of sea states T_1/3", above(0.))
       .fallback("that of the load by a wave");
   table
       .key("height", &T::height, "m",
-           "wave height in each part; the shear of the run counts in proportion to it over run_height")
-      .range(above(0.))
+           "wave height in each part; the shear of the run counts in proportion to it over run_height", above(0.))
       .fallback("all waves are as the run's");
   table
       .key("significant_height", &T::significant_height, "m",
-           "H_1/3 in each part, in place of height: heights by Rayleigh")
-      .range(above(0.))
+           "H_1/3 in each part, in place of height: heights by Rayleigh", above(0.))
       .fallback("that of the load by a wave, where number or period is missing");
-  table.key("highest", &T::highest, "", "largest height over significant_height; higher waves break to it")
-      .range(from_to(0.01, 10.));
-  table.key("run_height", &T::run_height, "m", "height of the wave whose loads the case has; needed with height")
-      .range(above(0.))
+  table.key("highest", &T::highest, "", "largest height over significant_height; higher waves break to it",
+            from_to(0.01, 10.));
+  table
+      .key("run_height", &T::run_height, "m", "height of the wave whose loads the case has; needed with height",
+           above(0.))
       .fallback("that of the load by a wave, or of [sliding.wave]");
-  table.key("calm", &T::calm, "s", "time after the storm that is followed, while the pressure goes")
-      .range(at_least(0.))
+  table.key("calm", &T::calm, "s", "time after the storm that is followed, while the pressure goes", at_least(0.))
       .fallback("until a hundredth of the largest pressure is left, at most a thousand times the storm");
   return table;
 }

@@ -29,13 +29,12 @@ TimeFunction grown(double growth, const std::function<double(double)>& wave) {
 
 TableSchema<WaveTrain> wave_train_schema() {
   TableSchema<WaveTrain> table;
-  table.key("amplitude", &WaveTrain::amplitude, "Pa", "amplitude of the pressure on the curve; or height and depth")
-      .range(above(0.));
-  table.key("height", &WaveTrain::height, "m", "height of the waves, crest over trough").range(above(0.));
-  table.key("depth", &WaveTrain::depth, "m", "depth of the water over the curve").range(above(0.));
-  table.key("period", &WaveTrain::period, "s", "period").range(above(0.)).required();
-  table.key("length", &WaveTrain::length, "m", "length of the waves")
-      .range(above(0.))
+  table.key("amplitude", &WaveTrain::amplitude, "Pa", "amplitude of the pressure on the curve; or height and depth",
+            above(0.));
+  table.key("height", &WaveTrain::height, "m", "height of the waves, crest over trough", above(0.));
+  table.key("depth", &WaveTrain::depth, "m", "depth of the water over the curve", above(0.));
+  table.key("period", &WaveTrain::period, "s", "period", above(0.)).required();
+  table.key("length", &WaveTrain::length, "m", "length of the waves", above(0.))
       .fallback("by period and depth, linear waves");
   table.choice(
       "course", &WaveTrain::course, train_course_words,
@@ -43,8 +42,7 @@ TableSchema<WaveTrain> wave_train_schema() {
   table.key("crest", &WaveTrain::crest, "m", "x of a crest at t = 0; of a standing wave x of an antinode");
   table
       .key("growth", &WaveTrain::growth, "s",
-           "time in which the waves grow from rest; 0: they jump to their full height")
-      .range(at_least(0.))
+           "time in which the waves grow from rest; 0: they jump to their full height", at_least(0.))
       .fallback("one period");
   return table;
 }

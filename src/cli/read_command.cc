@@ -33,7 +33,7 @@ TableSchema<ReadKeys> read_schema() {
   TableSchema<ReadKeys> table;
   table.key("from", &ReadKeys::from, "", "folder or file");
   add_flow_keys<ReadKeys>(table, [](const ReadKeys&) { return true; });
-  table.key("gravity", &ReadKeys::gravity, "m/s2", "acceleration of gravity").range(above(0.));
+  table.key("gravity", &ReadKeys::gravity, "m/s2", "acceleration of gravity", above(0.));
   table.choice("to_base", &ReadKeys::to_first, words, "pressure beyond the first point");
   table.choice("to_crest", &ReadKeys::to_last, words, "pressure beyond the last point");
   return table;

@@ -20,38 +20,36 @@ std::vector<std::string> left_to(const TableSchema<T>& of_case, const TableSchem
 
 TableSchema<Water> sea_water_schema() {
   TableSchema<Water> table;
-  table.key("density", &Water::density, "kg/m3", "density of the sea water").range(from_to(1., 1e4));
+  table.key("density", &Water::density, "kg/m3", "density of the sea water", from_to(1., 1e4));
   table.elsewhere(left_to(fluid_schema(), table));
   return table;
 }
 
 TableSchema<ElasticBase> ground_schema() {
   TableSchema<ElasticBase> table;
-  table.key("stiffness", &ElasticBase::stiffness, "N/m2", "horizontal stiffness of the ground under the caisson")
-      .range(from_to(1., 1e15))
+  table
+      .key("stiffness", &ElasticBase::stiffness, "N/m2", "horizontal stiffness of the ground under the caisson",
+           from_to(1., 1e15))
       .required();
-  table.key("mass", &ElasticBase::mass, "kg/m", "mass of the ground that sways with the bottom")
-      .range(from_to(0., 1e12));
-  table.key("damping", &ElasticBase::damping, "N s/m2", "damping of the ground; needs a mass").range(from_to(0., 1e15));
+  table.key("mass", &ElasticBase::mass, "kg/m", "mass of the ground that sways with the bottom", from_to(0., 1e12));
+  table.key("damping", &ElasticBase::damping, "N s/m2", "damping of the ground; needs a mass", from_to(0., 1e15));
   return table;
 }
 
 void declare_measured(TableSchema<WaveTable>& table) {
-  table.key("force", &WaveTable::force, "N/m", "peak of the wave force P; measured or computed, for sliding")
-      .range(from_to(1., 1e12))
+  table
+      .key("force", &WaveTable::force, "N/m", "peak of the wave force P; measured or computed, for sliding",
+           from_to(1., 1e12))
       .fallback("by Goda's formula with alpha_I, an effective sliding force");
   table
       .key("shear_to_force_ratio", &WaveTable::shear_to_force_ratio, "",
-           "peak of F_T over the peak of P; only with force, as alpha_I already holds it")
-      .range(from_to(0.001, 10.))
+           "peak of F_T over the peak of P; only with force, as alpha_I already holds it", from_to(0.001, 10.))
       .fallback("1 with force");
-  table.key("uplift", &WaveTable::uplift, "N/m", "uplift U when F_T is largest; only with force")
-      .range(from_to(0., 1e12))
+  table.key("uplift", &WaveTable::uplift, "N/m", "uplift U when F_T is largest; only with force", from_to(0., 1e12))
       .fallback("by Goda's formula");
-  table
-      .key("pulse_duration", &WaveTable::pulse_duration, "s",
-           "duration of that P as a symmetric triangle, to which [ground] answers; only with force and [ground]")
-      .range(from_to(1e-4, 1e3));
+  table.key("pulse_duration", &WaveTable::pulse_duration, "s",
+            "duration of that P as a symmetric triangle, to which [ground] answers; only with force and [ground]",
+            from_to(1e-4, 1e3));
 }
 
 TableSchema<WaveTable> wave_schema() {
@@ -66,12 +64,11 @@ TableSchema<WaveTable> wave_schema() {
 TableSchema<DesignTables> design_schema() {
   TableSchema<DesignTables> table;
   table.key("title", &DesignTables::title, "", "title of the design");
-  table.key("gravity", &DesignTables::gravity, "m/s2", "acceleration of gravity").range(from_to(0.1, 100.));
-  table
-      .key("levels", &DesignTables::levels, "m",
-           "water levels by name, above that of the section; for `waves`, which checks every wave at each and names "
-           "the one that governs")
-      .range(from_to(-1e4, 1e4));
+  table.key("gravity", &DesignTables::gravity, "m/s2", "acceleration of gravity", from_to(0.1, 100.));
+  table.key("levels", &DesignTables::levels, "m",
+            "water levels by name, above that of the section; for `waves`, which checks every wave at each and names "
+            "the one that governs",
+            from_to(-1e4, 1e4));
   table.table("fluid", &DesignTables::water, sea_water_schema()).doc("Sea water.");
   table.table("section", &DesignTables::section, section_schema())
       .required()

@@ -28,20 +28,19 @@ TableSchema<SeaTable> sea_schema() {
            "path of a CSV file with the columns significant_height (m), period (s), waves (their number), and, on "
            "demand, water_level (m) and angle (degrees)")
       .required();
-  table.key("years", &SeaTable::years, "years", "time that the sea states cover").range(from_to(1e-3, 1e5));
-  table.key("highest", &SeaTable::highest, "", highest_doc).range(from_to(0.01, 10.));
+  table.key("years", &SeaTable::years, "years", "time that the sea states cover", from_to(1e-3, 1e5));
+  table.key("highest", &SeaTable::highest, "", highest_doc, from_to(0.01, 10.));
   table.key("heights", &SeaTable::heights, "m", "heights by name; the waves above each are counted");
   return table;
 }
 
 TableSchema<LifeTable> life_schema() {
   TableSchema<LifeTable> table;
-  table.key("years", &LifeTable::years, "years", "life of the structure").range(from_to(1e-3, 1e5));
-  table.key("simulated_lives", &LifeTable::lives, "", "number of lives to simulate")
-      .formerly("lives")
-      .range(from_to(2., 1e7));
-  table.key("seed", &LifeTable::seed, "", "seed; the same one gives the same numbers on any number of threads")
-      .range(from_to(0., 2147483647.));
+  table.key("years", &LifeTable::years, "years", "life of the structure", from_to(1e-3, 1e5));
+  table.key("simulated_lives", &LifeTable::lives, "", "number of lives to simulate", from_to(2., 1e7))
+      .formerly("lives");
+  table.key("seed", &LifeTable::seed, "", "seed; the same one gives the same numbers on any number of threads",
+            from_to(0., 2147483647.));
   table.choice("sliding", &LifeTable::sliding, law_words, "how S follows from a wave")
       .fallback("dynamic where [dynamics] gives a model, else exact");
   return table;
@@ -56,11 +55,9 @@ TableSchema<Scatter> scatter_schema() {
   table.key("mean", &Scatter::mean, "", "mean before the ends are cut")
       .fallback("1; of water_level 0")
       .when("kind", by_moments, "in normal and lognormal");
-  table.key("cov", &Scatter::cov, "", "standard deviation over mean; or deviation")
-      .range(at_least(0.))
+  table.key("cov", &Scatter::cov, "", "standard deviation over mean; or deviation", at_least(0.))
       .when("kind", by_moments, "in normal and lognormal");
-  table.key("deviation", &Scatter::deviation, "", "standard deviation; or cov")
-      .range(at_least(0.))
+  table.key("deviation", &Scatter::deviation, "", "standard deviation; or cov", at_least(0.))
       .when("kind", by_moments, "in normal and lognormal");
   table.key("mode", &Scatter::mode, "", "most likely value")
       .required()
@@ -94,8 +91,9 @@ TableSchema<DynamicsTable> dynamics_schema() {
             "\"regions.seabed.shear_modulus\"; those left out have the case's value");
   table.key("load", &DynamicsTable::load, "", "name of its load that is the wave")
       .fallback("the only one, or that with the largest peak");
-  table.key("step", &DynamicsTable::step, "s", "step of the answers; auto: from the rise of the waves and the model")
-      .range(from_to(1e-5, 1.))
+  table
+      .key("step", &DynamicsTable::step, "s", "step of the answers; auto: from the rise of the waves and the model",
+           from_to(1e-5, 1.))
       .or_word("auto");
   return table;
 }
@@ -119,37 +117,35 @@ const std::vector<std::pair<std::string, TideKind>> tide_words{{"sinusoidal", Ti
 void declare_heights(TableSchema<StormsTable>& table) {
   table.choice("distribution", &StormsTable::kind, extreme_words,
                "distribution of H_0', the equivalent deep-water significant height of a storm");
-  table.key("location", &StormsTable::location, "m", "location of H_0'").range(from_to(0., 100.)).required();
-  table.key("scale", &StormsTable::scale, "m", "scale of H_0'").range(from_to(1e-6, 100.)).required();
-  table.key("shape", &StormsTable::shape, "", "shape of H_0'")
-      .range(from_to(0.2, 100.))
+  table.key("location", &StormsTable::location, "m", "location of H_0'", from_to(0., 100.)).required();
+  table.key("scale", &StormsTable::scale, "m", "scale of H_0'", from_to(1e-6, 100.)).required();
+  table.key("shape", &StormsTable::shape, "", "shape of H_0'", from_to(0.2, 100.))
       .when(
           "distribution", [](const StormsTable& s) { return s.kind == ExtremeKind::weibull; }, "in weibull");
 }
 
 void declare_storms(TableSchema<StormsTable>& table) {
-  table.key("per_year", &StormsTable::per_year, "", "mean number of storms in a year").range(from_to(1e-6, 1e4));
+  table.key("per_year", &StormsTable::per_year, "", "mean number of storms in a year", from_to(1e-6, 1e4));
   table.key("poisson", &StormsTable::poisson, "", "true: their number is random, after Poisson");
-  table.key("duration", &StormsTable::duration, "s", "duration of a storm").range(from_to(1., 1e7));
-  table.key("period", &StormsTable::period, "s", "significant wave period T of all storms; or steepness")
-      .range(from_to(0.01, 1e4));
-  table.key("steepness", &StormsTable::steepness, "", "steepness H_0'/L_0, from which T follows; or period")
-      .range(from_to(1e-4, 0.2));
-  table
-      .key("angle", &StormsTable::angle, "deg",
-           "angle beta between the waves and the wall's normal; already turned by 15 deg towards it")
-      .range(from_to_below(0., 90.));
+  table.key("duration", &StormsTable::duration, "s", "duration of a storm", from_to(1., 1e7));
+  table.key("period", &StormsTable::period, "s", "significant wave period T of all storms; or steepness",
+            from_to(0.01, 1e4));
+  table.key("steepness", &StormsTable::steepness, "", "steepness H_0'/L_0, from which T follows; or period",
+            from_to(1e-4, 0.2));
+  table.key("angle", &StormsTable::angle, "deg",
+            "angle beta between the waves and the wall's normal; already turned by 15 deg towards it",
+            from_to_below(0., 90.));
 }
 
 TableSchema<StormsTable> storms_schema() {
   TableSchema<StormsTable> table;
   declare_heights(table);
   declare_storms(table);
-  table.key("tide_low", &StormsTable::tide_low, "m", "low water above still water").range(from_to(-100., 100.));
-  table.key("tide_high", &StormsTable::tide_high, "m", "high water above still water").range(from_to(-100., 100.));
+  table.key("tide_low", &StormsTable::tide_low, "m", "low water above still water", from_to(-100., 100.));
+  table.key("tide_high", &StormsTable::tide_high, "m", "high water above still water", from_to(-100., 100.));
   table.choice("tide", &StormsTable::tide, tide_words,
                "level that a storm meets; sinusoidal: any phase of a sine between the two; uniform: any level");
-  table.key("highest", &StormsTable::highest, "", highest_doc).range(from_to(0.01, 10.));
+  table.key("highest", &StormsTable::highest, "", highest_doc, from_to(0.01, 10.));
   return table;
 }
 

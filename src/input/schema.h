@@ -2,7 +2,7 @@
 // keys, defaults, the echo as TOML, the reference, and the JSON Schema.
 //
 //   TableSchema<Fluid> table;
-//   table.key("density", &Fluid::density, "kg/m3", "density of the water").range(above(0.));
+//   table.key("density", &Fluid::density, "kg/m3", "density of the water", above(0.));
 //
 // Defaults are those of a default-constructed T.
 #pragma once
@@ -118,10 +118,11 @@ class TableSchema {
   Entry<T> key(const std::string& name, V Base::*member) {
     return Entry<T>(add_key(name, member));
   }
-  /// With its unit ("" where it has none) and meaning, see Entry::doc().
+  /// With its unit ("" where it has none), meaning (see Entry::doc()) and range.
   template <class V, class Base>
-  Entry<T> key(const std::string& name, V Base::*member, const std::string& unit, const std::string& meaning) {
-    return key(name, member).unit(unit).doc(meaning);
+  Entry<T> key(const std::string& name, V Base::*member, const std::string& unit, const std::string& meaning,
+               const Range& range = {}) {
+    return key(name, member).unit(unit).doc(meaning).range(range);
   }
 
   /// An enum (or an optional one), written as a word.

@@ -60,17 +60,15 @@ TableSchema<ScaledModel> model_schema() {
   table.key("soil", &ScaledModel::soil, "",
             "of a model of soils, made by 'upbead reduce --soils': its soil, by keys such as "
             "\"regions.seabed.shear_modulus\"; those left out have the case's value");
-  table.key("soils", &ScaledModel::soils, "", "of a model of soils: so many at random from its box, all in one fit")
-      .range(from_to(2., 1000.));
+  table.key("soils", &ScaledModel::soils, "", "of a model of soils: so many at random from its box, all in one fit",
+            from_to(2., 1000.));
   table.key("load", &ScaledModel::load, "", "name of its load that is the wave")
       .fallback("the only one, or that with the largest peak");
-  table.key("step", &ScaledModel::step, "s", "step of the answers; auto: 1/80 of the shortest rise")
-      .range(from_to(1e-5, 1.))
+  table.key("step", &ScaledModel::step, "s", "step of the answers; auto: 1/80 of the shortest rise", from_to(1e-5, 1.))
       .or_word("auto");
-  table
-      .key("scale", &ScaledModel::scale, "",
-           "length of its breakwater over that of [section]; section and waves are scaled to it by Froude's law")
-      .range(from_to(1e-3, 1e3));
+  table.key("scale", &ScaledModel::scale, "",
+            "length of its breakwater over that of [section]; section and waves are scaled to it by Froude's law",
+            from_to(1e-3, 1e3));
   return table;
 }
 
@@ -99,23 +97,20 @@ void visit_value(const KeyInfo& key, const std::string& path, NumberList& value,
 
 TableSchema<CalibrationTable> calibration_schema() {
   TableSchema<CalibrationTable> table;
-  table.key("relative_height", &CalibrationTable::relative_height, "", "heights of the waves over the depth, H/h")
-      .range(from_to(1e-3, 10.));
-  table.key("period", &CalibrationTable::period, "s", "periods T of the waves at the size of [section]")
-      .range(from_to(0.01, 1e4))
+  table.key("relative_height", &CalibrationTable::relative_height, "", "heights of the waves over the depth, H/h",
+            from_to(1e-3, 10.));
+  table
+      .key("period", &CalibrationTable::period, "s", "periods T of the waves at the size of [section]",
+           from_to(0.01, 1e4))
       .required();
-  table
-      .key("relative_berm_depth", &CalibrationTable::relative_berm_depth, "",
-           "depths of the berm over that of the sea, d/h; in place of section.berm_depth")
-      .range(from_to(1e-3, 1.));
-  table
-      .key("relative_berm_width", &CalibrationTable::relative_berm_width, "",
-           "widths of the berm over the wavelength, B_M/L; in place of section.berm_width")
-      .range(from_to(0., 10.));
-  table.key("ratios", &CalibrationTable::ratios, "", "ratios r = F_Smax/(mu W') at which tau_0 is taken")
-      .range(from_to(1.001, 100.));
-  table.key("steepness", &CalibrationTable::steepness, "", "least and largest steepness H/L; other waves are left out")
-      .range(from_to(0., 1.));
+  table.key("relative_berm_depth", &CalibrationTable::relative_berm_depth, "",
+            "depths of the berm over that of the sea, d/h; in place of section.berm_depth", from_to(1e-3, 1.));
+  table.key("relative_berm_width", &CalibrationTable::relative_berm_width, "",
+            "widths of the berm over the wavelength, B_M/L; in place of section.berm_width", from_to(0., 10.));
+  table.key("ratios", &CalibrationTable::ratios, "", "ratios r = F_Smax/(mu W') at which tau_0 is taken",
+            from_to(1.001, 100.));
+  table.key("steepness", &CalibrationTable::steepness, "", "least and largest steepness H/L; other waves are left out",
+            from_to(0., 1.));
   table.tables("models", &CalibrationTable::models, model_schema())
       .doc("Reduced models by name, each at its own size.");
   return table;
