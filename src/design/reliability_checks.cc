@@ -149,7 +149,7 @@ void check_correlations(const ReliabilityTable& table, const Document& document,
 }
 
 void check_methods(const ReliabilityTable& table, const Document& document, Diagnostics& report) {
-  for (const std::string& method : table.methods.names)
+  for (const std::string& method : table.methods)
     if (report.sound("reliability.methods") &&
         std::find(reliability_methods.begin(), reliability_methods.end(), method) == reliability_methods.end())
       report.add(document.place("reliability.methods"), "there is no method " + in_quotes(method),

@@ -29,11 +29,9 @@ TableSchema<RandomVariable> variable_schema() {
   table.key("mean", &V::mean, "", "mean before the ends are cut")
       .fallback("the number of the design; of a factor 1, of water_level 0")
       .when("distribution", with_moments, moments);
-  table.key("cov", &V::cov, "", "standard deviation over mean; or deviation")
-      .range(above(0.))
+  table.key("cov", &V::cov, "", "standard deviation over mean; or deviation", above(0.))
       .when("distribution", with_moments, moments);
-  table.key("deviation", &V::deviation, "", "standard deviation; or cov")
-      .range(above(0.))
+  table.key("deviation", &V::deviation, "", "standard deviation; or cov", above(0.))
       .when("distribution", with_moments, moments);
   table.key("location", &V::location, "", "least value of the distribution")
       .fallback("0")
@@ -56,8 +54,7 @@ TableSchema<RandomCorrelation> correlation_schema() {
   table.key("second", &C::second, "", "name of another variable").required();
   table
       .key("coefficient", &C::coefficient, "",
-           "correlation of the standard normal variables behind the two (normal copula)")
-      .range(between(-1., 1.))
+           "correlation of the standard normal variables behind the two (normal copula)", between(-1., 1.))
       .required();
   return table;
 }
@@ -78,8 +75,7 @@ TableSchema<ReliabilityTargets> targets_schema() {
   TableSchema<T> table;
   const auto declare = [&table](const char* name, std::optional<double> T::*member, const char* unit,
                                 const Range& range, const std::string& meaning) {
-    table.key(name, member, unit, meaning)
-        .range(range)
+    table.key(name, member, unit, meaning, range)
         .fallback(significant(*(assumed_targets.*member), 3) + ", told and not judged");
   };
   const std::string exceed = "most probability that S of a life exceeds ";
@@ -98,13 +94,10 @@ void declare_work(TableSchema<ReliabilityTable>& table) {
   using R = ReliabilityTable;
   table.key("methods", &R::methods, "",
             "list of form, sorm, importance, subset, plain; plain sampling is the judge, and takes longest");
-  table.key("seed", &R::seed, "", "seed of all samples; the same one gives the same numbers")
-      .range(from_to(0., 2147483647.));
-  table
-      .key("samples", &R::samples, "",
-           "most samples of importance sampling, and samples of each level of subset sampling")
-      .range(from_to(1000., 1e7));
-  table.key("plain_samples", &R::plain_samples, "", "samples of plain sampling").range(from_to(1000., 1e8));
+  table.key("seed", &R::seed, "", "seed of all samples; the same one gives the same numbers", from_to(0., 2147483647.));
+  table.key("samples", &R::samples, "",
+            "most samples of importance sampling, and samples of each level of subset sampling", from_to(1000., 1e7));
+  table.key("plain_samples", &R::plain_samples, "", "samples of plain sampling", from_to(1000., 1e8));
 }
 
 }  // namespace
@@ -122,12 +115,11 @@ TableSchema<ReliabilityTable> reliability_schema() {
   using R = ReliabilityTable;
   TableSchema<R> table;
   table.key("wave", &R::wave, "", "name of [waves.NAME]: the wave of an occasion").fallback("the only one");
-  table.key("years", &R::years, "years", "life of the structure").range(from_to(1e-3, 1e5));
-  table
-      .key("occasions_per_year", &R::occasions_per_year, "",
-           "occasions in a year for which the variables are given; 1 where the wave is the highest of a year")
-      .range(from_to(1e-6, 1e6));
-  table.key("target", &R::target, "", "least index beta of the system over the life").range(from_to(-5., 10.));
+  table.key("years", &R::years, "years", "life of the structure", from_to(1e-3, 1e5));
+  table.key("occasions_per_year", &R::occasions_per_year, "",
+            "occasions in a year for which the variables are given; 1 where the wave is the highest of a year",
+            from_to(1e-6, 1e6));
+  table.key("target", &R::target, "", "least index beta of the system over the life", from_to(-5., 10.));
   declare_work(table);
   table.tables("variables", &R::variables, variable_schema()).doc("What is random, by name.");
   table.tables("correlations", &R::correlations, correlation_schema())
@@ -140,27 +132,10 @@ TableSchema<ReliabilityTable> reliability_schema() {
 }
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, NameList& value) {
-  value.names.clear();
-  const auto refuse = [&](const Node& at) {
-    return Diagnostics{{at.place, key.name + ": expected " + type_text(key, &value) + ", found " + found(at),
-                        "give the " + key.meaning()}};
-  };
-  if (!node.array() || node.array()->empty()) return refuse(node);
-  for (const Node& item : *node.array()) {
-    if (!item.text()) return refuse(item);
-    value.names.push_back(*item.text());
-  }
-  return {};
-}
-
-std::string type_text(const KeyInfo&, const NameList*) {
-  return "a list of names";
-}
-
-std::string print_value(const KeyInfo&, const NameList& value) {
-  std::vector<std::string> items;
-  for (const std::string& name : value.names) items.push_back(to_toml(name));
-  return "[" + join(items) + "]";
+  if (node.array() && node.array()->empty())
+    return {
+        {node.place, key.name + ": expected " + type_text(key, &value) + ", found none", "give the " + key.meaning()}};
+  return read_value(node, key, static_cast<std::vector<std::string>&>(value));
 }
 
 }  // namespace upbead

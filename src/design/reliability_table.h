@@ -14,18 +14,12 @@ namespace upbead {
 struct DesignTables;
 class Document;
 
-/// A list of names: ["sliding", "overturning"].
-struct NameList {
-  std::vector<std::string> names;
+/// Names, one at least: ["sliding", "overturning"].
+struct NameList : std::vector<std::string> {
+  using vector::vector;
 };
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, NameList& value);
-std::string type_text(const KeyInfo& key, const NameList*);
-inline ValueShape shape_of(const KeyInfo&, const NameList*) {
-  return ValueShape::texts;
-}
-std::string print_value(const KeyInfo& key, const NameList& value);
-inline void visit_value(const KeyInfo&, const std::string&, NameList&, const NumberVisitor&) {}
 
 enum class RandomKind { normal, lognormal, gumbel, weibull, uniform, triangular };
 
@@ -71,7 +65,7 @@ extern const ReliabilityTargets assumed_targets;
 /// [reliability].
 struct ReliabilityTable {
   std::string wave;  ///< name of [waves.NAME]; "": the only one
-  NameList methods{{"form", "sorm", "importance", "subset"}};
+  NameList methods{"form", "sorm", "importance", "subset"};
   double years = 50.;
   double occasions_per_year = 1.;
   std::optional<double> target;  ///< least beta of the life

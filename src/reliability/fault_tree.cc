@@ -26,7 +26,7 @@ FaultTree::Node FaultTree::node_of(const std::map<std::string, SystemNode>& gate
   if (gate == gates.end()) throw std::invalid_argument("there is no limit state or gate " + in_quotes(name));
   above.push_back(name);
   node.any = gate->second.any.has_value();
-  for (const std::string& part : (node.any ? gate->second.any : gate->second.all)->names)
+  for (const std::string& part : *(node.any ? gate->second.any : gate->second.all))
     node.inside.push_back(node_of(gates, part, events, above));
   return node;
 }
@@ -104,7 +104,7 @@ Diagnostics diagnose(const std::map<std::string, SystemNode>& gates, const std::
     }
     if (std::find(events.begin(), events.end(), name) != events.end())
       list.add(at_key(name), "a limit state has that name", "give the gate another name");
-    for (const std::string& part : (gate.any ? gate.any : gate.all)->names)
+    for (const std::string& part : *(gate.any ? gate.any : gate.all))
       if (std::find(known.begin(), known.end(), part) == known.end())
         list.add(at_key(name), "there is no limit state or gate " + in_quotes(part),
                  suggestion(part, known, "limit states and gates"));
@@ -128,7 +128,7 @@ std::vector<std::string> tops_of(const std::map<std::string, SystemNode>& gates)
   for (const auto& [name, gate] : gates) {
     bool inside = false;
     for (const auto& [other, above] : gates)
-      for (const std::string& part : (above.any ? above.any : above.all)->names) inside = inside || part == name;
+      for (const std::string& part : *(above.any ? above.any : above.all)) inside = inside || part == name;
     if (!inside) tops.push_back(name);
   }
   return tops;

@@ -54,7 +54,7 @@ Work work_of(const Design& design) {
 }
 
 bool asked(const Work& work, const std::string& method) {
-  const std::vector<std::string>& list = work.tables.reliability->methods.names;
+  const std::vector<std::string>& list = work.tables.reliability->methods;
   return std::find(list.begin(), list.end(), method) != list.end();
 }
 
@@ -149,7 +149,7 @@ std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
   SystemNode any;
   any.any.emplace();
   for (const SectionLimitState& state : states)
-    if (state.margin && !state.of_codes) any.any->names.push_back(state.name);
+    if (state.margin && !state.of_codes) any.any->push_back(state.name);
   return {{"system", any}};
 }
 

@@ -11,13 +11,13 @@ const std::vector<std::string> events{"a", "b", "c"};
 
 SystemNode any(const std::vector<std::string>& names) {
   SystemNode node;
-  node.any = NameList{names};
+  node.any = NameList(names.begin(), names.end());
   return node;
 }
 
 SystemNode all(const std::vector<std::string>& names) {
   SystemNode node;
-  node.all = NameList{names};
+  node.all = NameList(names.begin(), names.end());
   return node;
 }
 
