@@ -65,6 +65,4 @@ std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& s
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation);
 
-std::string text_of(const std::vector<GaugeSummary>& gauges);
-
 }  // namespace upbead

@@ -86,21 +86,4 @@ std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& s
   return list;
 }
 
-std::string text_of(const std::vector<GaugeSummary>& gauges) {
-  std::string text;
-  for (const GaugeSummary& g : gauges) {
-    text += "gauges      " + g.name + ": " + std::to_string(g.gauges) + " transducers, " + std::to_string(g.samples) +
-            " samples every " + significant(g.interval) + " s; most at " + g.peak_gauge + " (" +
-            significant(g.peak_at) + " m): " + with_unit(g.peak_pressure, "Pa") + " at " +
-            significant(g.peak_pressure_time, 4) + " s\n";
-    text += "            largest force " + with_unit(g.peak_force, "N/m") + " at " + significant(g.peak_force_time, 4) +
-            " s";
-    if (g.arm) text += ", arm " + significant(*g.arm, 4) + " m";
-    text += "; between transducers it may err by " + significant(100. * g.force_error, 2) + " %";
-    if (g.load_cell) text += "; by the load cell " + with_unit(*g.load_cell, "N/m");
-    text += "\n";
-  }
-  return text;
-}
-
 }  // namespace upbead

@@ -54,10 +54,8 @@ TableSchema<WaveLoadTable> wave_load_schema() {
               "[.impact], as `expected` has it; proverbs: F* rho g H_b^2 of a wave that breaks on the wall, by "
               "[.impact.proverbs], at least Goda's P")
       .when("course", has_impact, "where course = \"church_roof\"");
-  table
-      .key("number", &WaveLoadTable::number, "",
-           "of equal waves in a row, one a period: ground and slip remember those before")
-      .range(from_to(1, most_waves));
+  table.key("number", &WaveLoadTable::number, "",
+            "of equal waves in a row, one a period: ground and slip remember those before", from_to(1, most_waves));
   table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
       .doc("The impulsive part of a church roof, as in a design: assumptions of ours.")
       .when("course", has_impact, "where course = \"church_roof\"");
@@ -485,27 +483,6 @@ Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& l
                                    larger_sliding(*w.sliding, *w.sliding_combined), "wave_loads." + w.name + "."},
                                   limits));
   return list;
-}
-
-std::string text_of(const std::vector<WaveLoadSummary>& waves) {
-  std::string text;
-  for (const WaveLoadSummary& w : waves) {
-    text += "wave        " + w.name + ": H " + significant(w.height, 4) + " m, H_1/3 " +
-            significant(w.significant_height, 4) + " m, T " + significant(w.period, 4) + " s, " +
-            significant(w.angle, 4) + " degrees; L " + significant(w.wavelength, 4) + " m, alpha* " +
-            significant(w.alpha_star, 4) + " (alpha_2 " + significant(w.alpha_2, 4) + ", alpha_I " +
-            significant(w.alpha_I, 4) + ")\n";
-    text += "            P " + with_unit(w.force, "N/m") + ", M_P " + with_unit(w.force_moment, "N m/m") + ", U " +
-            with_unit(w.uplift, "N/m") + "; p1 " + with_unit(w.p1, "Pa") + ", p3 " + with_unit(w.p3, "Pa") + ", p4 " +
-            with_unit(w.p4, "Pa") + ", p_u " + with_unit(w.pu, "Pa") + ", eta* " + significant(w.eta_star, 4) + " m\n";
-    text += "            " + w.course + ": peak " + with_unit(w.peak, "N/m") + ", rise " + significant(w.rise, 4) +
-            " s, duration " + significant(w.duration, 4) + " s" +
-            (w.trough_force ? ", trough " + with_unit(*w.trough_force, "N/m") : "") +
-            (w.standing_force > 0. ? ", slow part " + with_unit(w.standing_force, "N/m") : "") + ", over at " +
-            significant(w.end, 4) + " s, impulse " + with_unit(w.impulse, "N s/m") + "\n";
-    for (const std::string& assumption : w.assumptions) text += "            " + assumption + "\n";
-  }
-  return text;
 }
 
 LoadWay by_wave() {

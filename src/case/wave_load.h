@@ -90,6 +90,4 @@ std::vector<WaveLoadSummary> wave_summaries(const Case& input);
 /// The checks of these loads by formulas, which stand beside those of the solved scene.
 Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& limits);
 
-std::string text_of(const std::vector<WaveLoadSummary>& waves);
-
 }  // namespace upbead

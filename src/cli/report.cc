@@ -77,14 +77,6 @@ std::string loads_text(const Simulation& simulation) {
   return text;
 }
 
-/// What may yield, and why all else is linear.
-std::string text_of(const YieldingExtent& extent) {
-  if (extent.cells == 0) return "yielding    none: no region has law = \"hysteretic\" or \"mohr_coulomb\"\n";
-  std::string text = format("yielding    %d of %d cells that deform may yield\n", extent.cells, extent.of);
-  for (const Skipped& part : extent.linear) text += "  linear      " + part.what + ": " + part.why + "\n";
-  return text;
-}
-
 std::string text_of(const MeshAccuracy& accuracy) {
   std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
   for (const auto& [unknowns, error] : accuracy.levels)
@@ -160,7 +152,90 @@ std::string periods_of(const std::vector<NaturalPeriod>& periods) {
   return "periods     " + first_of(list, 2) + "\n";
 }
 
+/// All that `explain` says.
+struct Explained {
+  const Case* input;
+  const Simulation* simulation;
+  NumberedWarnings told;
+  std::vector<RecordSummary> records;
+  std::vector<GaugeSummary> gauges;
+  std::vector<FlowSummary> flows;
+  std::vector<WaveLoadSummary> waves;
+  std::vector<Skipped> skipped;
+  YieldingExtent yielding;
+};
+
+/// What was chosen for each region, and why.
+Json regions(const Explained& e) {
+  Json json = Json::object();
+  for (const Decision& decision : e.simulation->decisions())
+    if (!decision.region.empty()) json[decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
+  return json;
+}
+
+OutputSchema<RecordSummary> record_outputs() {
+  using R = RecordSummary;
+  return OutputSchema<R>()
+      .key("of", &R::of, "", "key of the case that it belongs to")
+      .key("file", &R::file, "", "its file")
+      .key("column", &R::column, "", "its column")
+      .key("unit", &R::unit, "", "unit that was taken, and how it is known where not by the header")
+      .key("layout", &R::layout, "", "separator, decimal sign and header of the file")
+      .key("samples", &R::samples, "", "how many")
+      .key("begin", &R::begin, "s", "first time, in the run's time")
+      .key("interval", &R::interval, "s", "between samples, mean")
+      .key("extreme", &R::extreme, "", "largest value by magnitude, as the file has it")
+      .key("extreme_time", &R::extreme_time, "s", "when, in the run's time")
+      .key("extreme_unit", &R::si, "", "SI unit of `extreme`");
+}
+
+const OutputSchema<Explained>& explained_outputs() {
+  using E = Explained;
+  const auto size =
+      OutputSchema<Simulation>()
+          .key(
+              "cells", [](const Simulation& s) { return s.mesh()->triangulation.n_active_cells(); }, "", "cells")
+          .key(
+              "unknowns", [](const Simulation& s) { return s.system().n_free(); }, "", "unknowns")
+          .key("degree", inner(&Simulation::space, &Space::degree), "", "degree of the displacement");
+  const auto yielding =
+      OutputSchema<YieldingExtent>()
+          .key("cells", &YieldingExtent::cells, "", "cells that may yield")
+          .key("area", &YieldingExtent::area, "m2", "of them")
+          .list("linear[]", &YieldingExtent::linear, skipped_outputs(), "each region that is linear, and why");
+  static const auto schema =
+      OutputSchema<E>()
+          .key("title", inner(&E::input, &Case::scene, &Scene::title), "", "that of the case")
+          .object("discretisation", &E::simulation, size, "how the scene would be solved")
+          .key("regions.NAME", regions, "", "`flow` or `kind` as chosen, and `why`")
+          .named(
+              "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled()->loads_on_caisson; },
+              &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
+          .named("flows.NAME", &E::flows, &FlowSummary::name, flow_outputs(), "of a load [from a CFD program](cfd.md)")
+          .list("records[]", &E::records, record_outputs(), "how each column of the [files](records.md) was read")
+          .named("gauges.NAME", &E::gauges, &GaugeSummary::name, gauge_outputs(),
+                 "of a load by [transducers](records.md), or `sliding.uplift`")
+          .named("wave_loads.NAME", &E::waves, &WaveLoadSummary::name, wave_load_outputs(),
+                 "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)")
+          .object("yielding", &E::yielding, yielding, "[soil that yields](yielding.md)")
+          .list("skipped[]", &E::skipped, skipped_outputs(), "what would be left out")
+          .list("warnings[]", &E::told, warning_outputs(), "[what may be wrong](warnings.md) and needs no solution");
+  return schema;
+}
+
 }  // namespace
+
+std::vector<OutputRow> rows_of_explain() {
+  return explained_outputs().rows();
+}
+
+Json explanation(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured,
+                 const NumberedWarnings& told) {
+  const bool is_reduced = choose_scheme(simulation.scene(), *simulation.compiled()).scheme == TimeScheme::reduced;
+  return explained_outputs().to_json({&input, &simulation, told, record_summaries(input, measured),
+                                      gauge_summaries(input, simulation), flow_summaries(input), wave_summaries(input),
+                                      skipped(input, simulation, is_reduced), yielding_extent(simulation)});
+}
 
 std::string details(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured) {
   std::string text = input.scene.title + "\n";
@@ -177,24 +252,20 @@ std::string details(const Case& input, const Simulation& simulation, const std::
     text += format("            divided among %d processes\n", simulation.processes()->count());
   if (simulation.accuracy()) text += text_of(*simulation.accuracy());
   text += "regions\n" + regions_text(input, simulation);
-  text += "loads\n" + loads_text(simulation) + text_of(record_summaries(input, measured));
-  text += text_of(flow_summaries(input)) + text_of(gauge_summaries(input, simulation)) + text_of(wave_summaries(input));
+  text += "loads\n" + loads_text(simulation);
   const SchemeChoice choice = choose_scheme(simulation.scene(), *simulation.compiled());
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason +
           (choice.solves.empty() ? "" : "; " + choice.solves) + "\n";
   if (!input.why_end.empty())
     text += "            until " + significant(simulation.given().time.end) + " s, " + input.why_end + "\n";
-  text += text_of(yielding_extent(simulation));
   if (!simulation.scene().construction.empty())
     text += "built       " + join(stages_in_order(simulation.scene()), ", then ") + "; each stage drained\n";
   if (simulation.system().interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
             std::to_string(simulation.system().interface->n_nodes()) +
             " nodes; followed where the bonded caisson would slip or lift at one of them\n";
-  text += "skipped\n";
-  for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
-    text += "  " + item.what + ": " + item.why + "\n";
-  return text;
+  return text + text_of(explanation(input, simulation, measured), rows_of_explain(),
+                        {"records", "flows", "gauges", "wave_loads", "yielding", "skipped"});
 }
 
 std::string brief(const Case& input, const Simulation& simulation) {

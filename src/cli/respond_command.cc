@@ -138,13 +138,14 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
   timing.total = since_start.seconds();
   NumberedWarnings warnings = warnings_of_files(waves);
   append(warnings, warnings_of_answers(loaded.model, responses));
-  const std::string json = to_json(answered, responses, timing, warnings);
+  const Json summary = to_json(answered, responses, timing, warnings);
+  const std::string json = json_text(summary);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit();
   std::cerr << notes_of(waves) << describe(warnings);
   std::cout << (arguments.json ? json
-                               : answers_text(answered, responses, timing) + "written     " + folder.name() +
+                               : answers_text(answered, summary, timing) + "written     " + folder.name() +
                                      "/{responses.h5, summary.json" + (makes_model ? ", reduced.h5}\n" : "}\n"));
   return 0;
 }

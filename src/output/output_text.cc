@@ -12,7 +12,7 @@ namespace upbead {
 namespace {
 
 constexpr std::size_t widest_line = 100, key_width = 30, value_width = 16;
-constexpr std::size_t most_items = 12;  ///< of a list
+constexpr std::size_t most_items = 40;  ///< of a list
 using Rows = std::vector<OutputRow>;
 
 const OutputRow* row_at(const std::string& path, const Rows& rows) {
@@ -173,6 +173,26 @@ std::pair<std::string, std::size_t> aligned_from(std::size_t from, const std::ve
   return {text, to};
 }
 
+/// The numbers of many items by column: the least, the largest, of which items, and in how many it is not 0.
+std::string ranges_of(const Json& items, const Rows& rows, const std::string& path,
+                      const std::vector<TextColumn>& columns) {
+  std::vector<TextRow> table{{"of " + std::to_string(items.size()), "least", "in", "largest", "in", "not 0 in"}};
+  for (const TextColumn& column : columns) {
+    const auto at = pointer_to(column.key);
+    std::vector<std::pair<double, std::string>> values;
+    for (const auto& item : items.items())
+      if (item.value().contains(at) && item.value()[at].is_number())
+        values.emplace_back(item.value()[at].get<double>(), item.value().value("name", item.key()));
+    if (values.empty()) continue;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto n = std::count_if(values.begin(), values.end(), [](const auto& value) { return value.first != 0.; });
+    const std::string unit = unit_at(path + "." + column.key, rows);
+    table.push_back({column.head, number_text(least->first, unit), least->second, number_text(most->first, unit),
+                     most->second, std::to_string(n)});
+  }
+  return aligned(table);
+}
+
 }  // namespace
 
 std::string text_of(const Json& summary, const Rows& rows) {
@@ -204,7 +224,8 @@ std::string aligned(const std::vector<TextRow>& rows) {
 }
 
 std::string table_of(const Json& items, const Rows& rows, const std::string& path,
-                     const std::vector<TextColumn>& columns, const std::string& name) {
+                     const std::vector<TextColumn>& columns, const std::string& name, std::size_t most) {
+  if (items.size() > most) return ranges_of(items, rows, path, columns);
   std::vector<TextRow> table(items.size() + 1);
   if (items.is_object()) {
     table.clear();

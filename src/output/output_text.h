@@ -27,8 +27,9 @@ struct TextColumn {
 };
 
 /// A row for each item of a list, or of an object with its items by name, whose names are a first column below `name`.
-/// `path`: of an item, as "waves.NAME". Columns in which no item has a value are left out.
+/// `path`: of an item, as "waves.NAME". Columns in which no item has a value are left out. Of more than `most` items,
+/// the least and the largest of each number.
 std::string table_of(const Json& items, const std::vector<OutputRow>& rows, const std::string& path,
-                     const std::vector<TextColumn>& columns, const std::string& name = "");
+                     const std::vector<TextColumn>& columns, const std::string& name = "", std::size_t most = 100);
 
 }  // namespace upbead

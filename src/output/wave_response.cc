@@ -102,9 +102,8 @@ OutputSchema<Answers> model_outputs() {
       .key("error", inner(&A::model, &M::error), "", "of the history of F_T over its peak")
       .key("tolerance", inner(&A::model, &M::tolerance), "", "that was asked for, relative")
       .key("highest_frequency", inner(&A::model, &M::highest_frequency), "Hz", "up to which it has been checked")
-      .key(
-          "soil.KEY", [](const A& a) { return Json(a.soil); }, "",
-          "value of each key that a [model of soils](soils.md) varies; only with such a model")
+      .key("soil.KEY", &A::soil, "",
+           "value of each key that a [model of soils](soils.md) varies; only with such a model")
       .or_left_out();
 }
 
@@ -251,12 +250,12 @@ std::string soil_line(const std::optional<std::map<std::string, double>>& soil, 
   return json_text({{"soil", soil ? Json(*soil) : Json()}, {"why", why}}, one_line);
 }
 
-std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
-                    const NumberedWarnings& warnings) {
+Json to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
+             const NumberedWarnings& warnings) {
   Answers answers{&of.model, of.path, of.soil, {}, timing, warnings};
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w) answers.waves.push_back({file.wave_name(w), &file.waves[w]});
-  return answers_outputs().to_json(answers).dump(2) + "\n";
+  return answers_outputs().to_json(answers);
 }
 
 }  // namespace upbead

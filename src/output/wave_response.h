@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "dynamics/batch_response.h"
+#include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
-
-struct OutputRow;
 
 /// Results for a caisson that slips as a whole on the ground that it shakes. Landward positive.
 struct CoupledWave {
@@ -98,8 +97,8 @@ std::string to_json(const WaveResponse& wave);
 
 /// summary.json of `respond`. `warnings`: docs/warnings.md. To be called after response_file(), which checks the
 /// numbers.
-std::string to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
-                    const NumberedWarnings& warnings = {});
+Json to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
+             const NumberedWarnings& warnings = {});
 
 /// What a server of soils says of one of them, on one line: docs/soils.md. Throws NumericsError where a number is not
 /// finite.

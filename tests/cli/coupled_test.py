@@ -127,9 +127,9 @@ class Coupled(ProgramTest):
     def test_people_see_both_distances(self):
         self.write_wave()
         done = upbead("respond", "model/reduced.h5", "wave.csv", cwd=self.folder)
-        self.assertRegex(done.stdout, r"F_T / P +error of F_T +S +S, coupled\nwave .* mm +[0-9.]+ mm\n")
+        self.assertRegex(done.stdout, r"F_T / P +error of F_T +S +S, coupled +lifted for\nwave .* mm +[0-9.]+ mm +[0-9.]+ s\n")
         done = upbead("respond", "model/reduced.h5", self.write_storm(), cwd=self.folder)
-        self.assertRegex(done.stdout, r"sliding +\d+ of them slide .*\nS, coupled +\d+ of them slide .*, farthest [0-9.]+ m")
+        self.assertRegex(done.stdout, r"of \d+ +least +in +largest +in +not 0 in\n(.*\n)+S +.* +\d+\nS, coupled .* [0-9.]+ m +storm\[\d+\] +\d+\n")
 
     def test_what_cannot_slip_as_a_whole_is_told(self):
         elastic = ["--set", "regions.caisson={kind='solid',density=2100,shear_modulus=1e8,poissons_ratio=0.2}"]

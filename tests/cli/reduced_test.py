@@ -95,8 +95,8 @@ class Reduced(ProgramTest):
         friction = ["--friction", 0.6, "--buoyant-weight", 1e6]
         done = self.respond("model.h5", "roof.csv", "storm.h5", *friction)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for part in ("oscillator, reduced to 2 modes", "waves       31", "peak F_T", "largest in storm[29]",
-                     "of them slide the caisson", "written     results/model-respond/{responses.h5, summary.json}"):
+        for part in ("oscillator, reduced to 2 modes", "of 31 ", "peak F_T", "  storm[29]  ", "not 0 in",
+                     "written     results/model-respond/{responses.h5, summary.json}"):
             self.assertIn(part, done.stdout)
         result = self.folder / "results/model-respond"
         self.assertEqual(sorted(os.listdir(result)), ["responses.h5", "summary.json"])
@@ -118,7 +118,7 @@ class Reduced(ProgramTest):
         self.make_model_and_waves()
         done = self.respond("model.h5", "roof.csv", "roof.csv", "--end", 1)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P +error of F_T\nroof +1.6 MN/m .* < 0 %\nroof-2 +1.6 MN/m ")
+        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P +error of F_T\nroof +1.6 MN/m .* 0\nroof-2 +1.6 MN/m ")
         done = self.respond("model.h5", "roof.csv", "--json")
         summary = json.loads(done.stdout)
         self.assertEqual(summary["model"], {"title": "oscillator", "file": "model.h5", "error": 0.004,

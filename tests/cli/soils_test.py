@@ -41,7 +41,7 @@ class Soils(ProgramTest):
     def test_answers_the_soil_that_is_given_and_names_it(self):
         done = self.respond("--soil", f"{G}=5e7", *SLIDES)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for part in ("F_T within ", f"soil        {k} = 0.2\n            {G} = 5e7\n", "error of F_T", "S\nroof "):
+        for part in ("F_T within ", f"soil        {k} = 0.2\nsoil        {G} = 5e7\n", "error of F_T", "S\nroof "):
             self.assertIn(part, done.stdout)
         result = self.folder / "results/soils-respond"
         summary = json.loads((result / "summary.json").read_text())

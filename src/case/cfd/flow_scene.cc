@@ -172,17 +172,4 @@ std::vector<FlowSummary> flow_summaries(const Case& input) {
   return list;
 }
 
-std::string text_of(const std::vector<FlowSummary>& flows) {
-  std::string text;
-  for (const FlowSummary& s : flows) {
-    text += "flow        " + s.name + ": " + s.layout + "; " + std::to_string(s.samples) + " samples from " +
-            significant(s.begin, 5) + " to " + significant(s.end, 5) + " s; largest " + with_unit(s.peak_force, "N/m") +
-            " over still water at " + significant(s.peak_force_time, 4) + " s";
-    if (s.arm) text += ", arm " + significant(*s.arm, 4) + " m";
-    text += "\n";
-    for (const std::string& sentence : s.told) text += "            " + sentence + "\n";
-  }
-  return text;
-}
-
 }  // namespace upbead

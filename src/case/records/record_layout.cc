@@ -77,19 +77,6 @@ std::string note_lines(const RecordNotes& notes) {
   return text;
 }
 
-std::string text_of(const std::vector<RecordSummary>& records) {
-  std::string text, layout;
-  for (const RecordSummary& r : records) {
-    if (r.file + r.layout != layout) text += "file        " + r.file + ": " + r.layout + "\n";
-    layout = r.file + r.layout;
-    text += "  record    " + r.of + ": column " + in_quotes(r.column) + " in " + r.unit + ", " +
-            std::to_string(r.samples) + " samples every " + significant(r.interval, 4) + " s from " +
-            significant(r.begin, 4) + " s; most " + with_unit(r.extreme, r.si) + " at " +
-            significant(r.extreme_time, 4) + " s\n";
-  }
-  return text;
-}
-
 RecordLayout layout_of(const CsvTable& table) {
   RecordLayout layout;
   std::vector<HeaderSays> said;

@@ -21,9 +21,6 @@ struct RecordSummary {
   double extreme = 0., extreme_time = 0.;  ///< largest by magnitude (SI unit), and when (s), in the run's time
 };
 
-/// A line for each, and for each file how it was read.
-std::string text_of(const std::vector<RecordSummary>& records);
-
 /// How a file was read.
 struct RecordNotes {
   std::vector<RecordSummary> read;  ///< each column that is used
