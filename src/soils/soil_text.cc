@@ -19,10 +19,10 @@ struct SoilTables {
 const TableSchema<SoilTables>& soil_schema() {
   static const TableSchema<SoilTables> schema = [] {
     TableSchema<Region> region = region_schema();
-    region.key("pore_fluid_modulus", &Region::pore_fluid_modulus, "Pa", "bulk modulus of the pore water with its air",
-               above(0.));
+    region.key("pore_fluid_modulus", &Region::pore_fluid_modulus, "Pa", "bulk modulus of the pore water with its air")
+        .range(above(0.));
     TableSchema<SoilTables> table;
-    table.key("gravity", &SoilTables::gravity, "m/s2", "acceleration of gravity", above(0.)).required();
+    table.key("gravity", &SoilTables::gravity, "m/s2", "acceleration of gravity").range(above(0.)).required();
     table.table("fluid", &SoilTables::fluid, fluid_schema());
     table.tables("regions", &SoilTables::regions, region);
     return table;
