@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <utility>
 
 #include "base/format.h"
@@ -41,7 +42,8 @@ std::string label_of(const std::string& meaning, std::size_t width) {
     const std::size_t end = label.find(')', link);
     label.erase(link, end == std::string::npos ? end : end - link + 1);
   }
-  label.erase(std::remove_if(label.begin(), label.end(), [](char c) { return c == '[' || c == '`'; }), label.end());
+  label.erase(std::remove_if(label.begin(), label.end(), [](char c) { return c == '[' || c == ']' || c == '`'; }),
+              label.end());
   return label.size() <= width ? label : label.substr(0, label.rfind(' ', width)) + " ...";
 }
 
@@ -153,9 +155,11 @@ class Lines {
   std::string text_;
 };
 
-Json::json_pointer pointer_to(std::string key) {
-  std::replace(key.begin(), key.end(), '.', '/');
-  return Json::json_pointer("/" + key);
+Json::json_pointer pointer_to(const std::string& key) {
+  Json::json_pointer at;
+  std::istringstream parts(key);
+  for (std::string part; std::getline(parts, part, '.');) at.push_back(part);
+  return at;
 }
 
 /// The first column, and those from `from` on that fit in a line; the next one that does not.

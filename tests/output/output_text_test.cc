@@ -46,6 +46,12 @@ TEST(OutputText, OfChosenKeysSaysWhyANumberIsNull) {
             "waves\n  a\n    height                    5 m             H\n");
 }
 
+TEST(OutputText, TakesWhateverAUserHasCalledAnItem) {
+  const std::string text =
+      text_of(answer_outputs().to_json({{{"a~/b", 5., {}}}, {}}), answer_outputs().rows(), {"waves.a~/b.height"});
+  EXPECT_EQ(text, "waves\n  a~/b\n    height                    5 m             H\n");
+}
+
 TEST(OutputText, HasUnitsOfKeysBelowNamesThatAUserGave) {
   const std::string text = text_of(answer_outputs().to_json({{{"a", 5., 0.02}}, {}}), answer_outputs().rows());
   EXPECT_EQ(

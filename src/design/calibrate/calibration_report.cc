@@ -98,8 +98,10 @@ std::string brief(const Json& summary) {
   std::string text = summary["title"].get<std::string>();
   text += (text.empty() ? "" : "\n") + text_of(summary, rows, {"waves"});
   for (const auto& model : summary["models"].items()) {
-    const std::string of = "models." + model.key() + ".";
-    text += "\n" + text_of(summary, rows, {of + "load", of + "scale", of + "step", of + "recommended", of + "soils"}) +
+    Json some;
+    for (const char* key : {"load", "scale", "step", "recommended", "soils"})
+      some["models"][model.key()][key] = model.value()[key];
+    text += "\n" + text_of(some, rows) +
             table_of(model.value()["fits"], rows, "models.NAME.fits[]",
                      {{"measure", "measure"},
                       {"r", "ratio"},
