@@ -1,4 +1,5 @@
 // How the section was built: settlement, tilt, strength and pressure on the base in every stage.
+#include "run/construction.h"
 #include "base/text.h"
 #include "fem/outline.h"
 #include "findings/topics.h"
@@ -89,6 +90,10 @@ OutputSchema<ConstructionSummary> construction_outputs() {
       .reason("falls_in", &C::falls_in, "the stage that has no rest; null where all have");
 }
 
+std::optional<ConstructionSummary> find_construction(const Solution& solution) {
+  return solution.construction ? solution.construction : build(*solution.simulation);
+}
+
 }  // namespace
 
 Finding construction_finding() {
@@ -98,7 +103,7 @@ Finding construction_finding() {
              "how the section was [built in stages](construction.md); else null");
   };
   f.of_scene = drained_warnings;
-  return f.part(&Summary::construction, &Solution::construction);
+  return f.part(&Summary::construction, find_construction);
 }
 
 }  // namespace upbead

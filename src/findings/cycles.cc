@@ -33,7 +33,7 @@ struct CyclesFound {
 std::string why_no_storm(const Evidence& e) {
   if (!builds_pressure(e.scene)) return "no region has a table cyclic";
   if (yields(e.scene)) return "the ground yields, so that its shear is not proportional to the wave";
-  const Monitors& monitors = *e.solution.monitors;
+  const Monitors& monitors = *e.of(monitors_of);
   if (!monitors.cyclic) return monitors.why_no_cyclic;
   if (!monitors.cyclic->has_seen()) return "the contact was not marched";
   if (e.solution.contact && e.solution.contact->history && !e.scene.cycles->height.empty())
@@ -43,8 +43,8 @@ std::string why_no_storm(const Evidence& e) {
 
 std::vector<double> mean_stress_at_rest(const Evidence& e) {
   std::vector<double> list(e.simulation.mesh()->triangulation.n_active_cells(), 0.);
-  for (std::size_t i = 0; i < list.size(); ++i)
-    list[i] = e.solution.monitors->rest->stress.mean(i, k0_to_apply(e.scene));
+  const Monitors& monitors = *e.of(monitors_of);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = monitors.rest->stress.mean(i, k0_to_apply(e.scene));
   return list;
 }
 
@@ -65,7 +65,7 @@ std::vector<bool> cells_that_count(const Mesh& mesh, const std::vector<double>& 
 
 std::vector<StormCell> storm_cells(const Evidence& e) {
   const Space& space = *e.simulation.space();
-  const std::vector<double> stress = mean_stress_at_rest(e), shear = e.solution.monitors->cyclic->amplitude();
+  const std::vector<double> stress = mean_stress_at_rest(e), shear = e.of(monitors_of)->cyclic->amplitude();
   const std::vector<bool> counts = cells_that_count(space.mesh(), stress);
   std::vector<StormCell> cells(stress.size());
   for (const auto& cell : space.dofs().active_cell_iterators()) {

@@ -134,7 +134,7 @@ struct ContactError {
 ContactError error_of_contact(const Evidence& e) {
   const Simulation& simulation = e.simulation;
   const auto march_on = [&](const Simulation& on, double part) {
-    return run_contact(in_steps_of(on, e.solution.discretisation, part), {}, {});
+    return run_contact(in_steps_of(on, e.solution.discretisation, part), {});
   };
   const auto shear = [](const Solution& s) { return shear_history(*s.simulation->compiled(), s.response); };
   const auto slip = [](const Solution& s) { return s.contact->found.solved ? s.contact->found.solved->slip : 0.; };
@@ -245,7 +245,7 @@ SlipErrors slip_errors(const Evidence& e, const Errors& of_shear, const CellsCom
   if (rests) return {0., coupled ? std::optional(0.) : std::nullopt};
   if (const auto errors = compare_reduced(e, cells, by_forces)) return *errors;
   const auto solve_on = [&](const Simulation& on, double part) {
-    return run_bonded(in_steps_of(on, e.solution.discretisation, part), {}, {});
+    return run_bonded(in_steps_of(on, e.solution.discretisation, part), {});
   };
   const Solution finer = solve_on(with_halved_cells(e.simulation), 1.),
                  shorter = solve_on(assembled_again(e.simulation), 0.5);
@@ -253,7 +253,7 @@ SlipErrors slip_errors(const Evidence& e, const Errors& of_shear, const CellsCom
 }
 
 bool asks_for_errors(const Evidence& e) {
-  return e.solution.shear && e.scene.time.inertia && !yields(e.scene) &&
+  return e.of(find_shear) && e.scene.time.inertia && !yields(e.scene) &&
          (e.simulation.accuracy() || e.scene.accuracy.estimate);
 }
 
@@ -296,7 +296,7 @@ Errors find_errors(const Evidence& e) {
     out.peak->reduced_model = reduction->error_peak;
     out.history->reduced_model = reduction->error;
   }
-  out.peak->far_boundary = error_of_far_sides(e.simulation, *e.solution.shear);
+  out.peak->far_boundary = error_of_far_sides(e.simulation, *e.of(find_shear));
   progress(0.7);
   if (!slip.by_history) slip = slip_errors(e, out, cells.get());
   out.slip = slip.by_history;

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <utility>
 
 #include "upbead/run/simulation.h"
@@ -20,9 +18,12 @@ class Evidence {
   /// order.
   template <class Value>
   const Value& of(Value (*find)(const Evidence&)) const {
-    std::shared_ptr<const void>& found = found_[reinterpret_cast<void (*)()>(find)];
-    if (!found) found = std::make_shared<const Value>(find(*this));
-    return *static_cast<const Value*>(found.get());
+    return found_.of(*this, find);
+  }
+  /// What it makes of the solution alone: called once for all evidence of it, as where a study varies [sliding].
+  template <class Value>
+  const Value& of(Value (*find)(const Solution&)) const {
+    return solution.found->of(solution, find);
   }
 
   const Solution& solution;
@@ -31,7 +32,7 @@ class Evidence {
   const std::function<void(double)> progress;
 
  private:
-  mutable std::map<void (*)(), std::shared_ptr<const void>> found_;
+  mutable Memo found_;
 };
 
 }  // namespace upbead

@@ -32,8 +32,8 @@ struct Finding {
   std::vector<std::function<void(const Evidence&, Summary&)>> parts;
 
   /// A part of the summary, and the function that makes it.
-  template <class Value>
-  Finding& part(Value Summary::*member, Value (*find)(const Evidence&)) {
+  template <class Value, class Of>
+  Finding& part(Value Summary::*member, Value (*find)(const Of&)) {
     parts.emplace_back(
         [member, find](const Evidence& evidence, Summary& summary) { summary.*member = evidence.of(find); });
     return *this;

@@ -1,6 +1,10 @@
 // How a scene was solved: mesh, scheme and the ways tried, what a reduced model knows of its error, times.
 #include "base/text.h"
+#include "fem/caisson/reading_names.h"
+#include "fem/compile.h"
 #include "findings/topics.h"
+#include "response/natural_periods.h"
+#include "response/reduction.h"
 #include "run/solve.h"
 
 namespace upbead {
@@ -84,6 +88,13 @@ std::string why_no_periods(const Summary& summary) {
          "\"reduced\" tells them";
 }
 
+std::vector<NaturalPeriod> find_periods(const Evidence& e) {
+  const Solution& bonded = bonded_of(e);
+  const Simulation& simulation = *bonded.simulation;
+  if (!bonded.model || !simulation.compiled()->caisson) return {};
+  return natural_periods(*bonded.model, reading::shear_force, sampled_loads(simulation.scene(), simulation.system()));
+}
+
 std::string find_title(const Evidence& e) {
   return e.scene.title;
 }
@@ -154,7 +165,7 @@ Finding periods_finding() {
            "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
         .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   };
-  return f.part(&Summary::periods, &Solution::periods);
+  return f.part(&Summary::periods, find_periods);
 }
 
 Finding ways_finding() {

@@ -75,7 +75,7 @@ std::string too_coarse(const LiquefiedPlace& worst, const std::vector<Vertical>&
 }
 
 std::string why_no_pressure(const Evidence& e) {
-  const Monitors& monitors = *e.solution.monitors;
+  const Monitors& monitors = *e.of(monitors_of);
   if (e.simulation.processes()) return "several processes share the work";
   if (monitors.upward && monitors.upward->verticals().empty()) return "no pores meet a surface of the ground";
   if (!monitors.upward || !monitors.upward->has_seen()) return "no state of the pores was kept";
@@ -87,7 +87,7 @@ LiquefactionFound look_for_liquefaction(const Evidence& e) {
   if (!e.scene.limits.liquefaction) return found;
   found.why_not = why_no_pressure(e);
   if (!found.why_not.empty()) return found;
-  const std::vector<Vertical>& verticals = e.solution.monitors->upward->verticals();
+  const std::vector<Vertical>& verticals = e.of(monitors_of)->upward->verticals();
   const GroundSection section = ground_section(e.simulation);
   const auto surcharge = surcharge_of(e.simulation);
   Liquefaction& all = found.liquefaction.emplace();

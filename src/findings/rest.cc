@@ -1,5 +1,7 @@
 // Whether the ground stands at rest, by which factor its strength may fall, and what follows for all other results.
+#include "base/progress.h"
 #include "base/text.h"
+#include "fem/rest_state.h"
 #include "findings/topics.h"
 #include "output/limits.h"
 
@@ -73,9 +75,19 @@ OutputSchema<SafetySummary> safety_outputs() {
 
 }  // namespace
 
+std::optional<SafetySummary> find_safety(const Solution& solution) {
+  const Simulation& simulation = *solution.simulation;
+  const Scene& scene = simulation.scene();
+  const bool lacks_rest = solution.yielding && !solution.yielding->found.why_no_rest.empty();
+  if (!(scene.initial && scene.initial->safety) && !scene.limits.safety && !lacks_rest) return std::nullopt;
+  const SafetyFactor found =
+      safety_factor(scene, *simulation.mesh(), simulation.soil_state(), shown_progress("strength reduction"));
+  return SafetySummary{found.lower, found.upper, found.fails_at, found.why};
+}
+
 std::string find_why_void(const Evidence& e) {
   const auto& yielding = e.solution.yielding;
-  return why_not_at_rest(e.solution.safety, yielding ? yielding->found.why_no_rest : "");
+  return why_not_at_rest(e.of(find_safety), yielding ? yielding->found.why_no_rest : "");
 }
 
 Finding rest_finding() {
@@ -92,7 +104,7 @@ Finding rest_finding() {
   f.warnings = rest_warnings;
   f.checks = rest_checks;
   f.needs_no_march = true;
-  return f.part(&Summary::safety, &Solution::safety).part(&Summary::why_void, find_why_void);
+  return f.part(&Summary::safety, find_safety).part(&Summary::why_void, find_why_void);
 }
 
 }  // namespace upbead

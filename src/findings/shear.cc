@@ -3,6 +3,7 @@
 #include "fem/compile.h"
 #include "findings/errors.h"
 #include "findings/topics.h"
+#include "response/shear_response.h"
 
 namespace upbead {
 
@@ -138,6 +139,12 @@ SkippedList skipped_shear(const Simulation& simulation, bool) {
 
 }  // namespace
 
+std::optional<ShearResponse> find_shear(const Solution& solution) {
+  const CompiledScene& compiled = *solution.simulation->compiled();
+  if (!compiled.caisson) return std::nullopt;
+  return read_shear_response(compiled, solution.response, solution.simulation->scene().time.inertia);
+}
+
 OutputSchema<LoadOnCaisson> load_outputs() {
   using L = LoadOnCaisson;
   return OutputSchema<L>()
@@ -156,7 +163,7 @@ Finding shear_finding() {
                "resultant on the caisson per unit of the history");
   };
   f.skipped_of_scene = skipped_shear;
-  return f.part(&Summary::response, &Solution::shear)
+  return f.part(&Summary::response, find_shear)
       .part(&Summary::loads, find_loads)
       .part(&Summary::error, find_peak_error)
       .part(&Summary::history_error, find_history_error);

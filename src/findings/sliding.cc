@@ -292,7 +292,8 @@ SlipAsWhole find_slip_as_whole(const Evidence& e) {
   const Solution& bonded = bonded_of(e);
   if (slid->history.with_normal_force.slips.empty()) {  // below its friction at all times, which needs no work
     whole.coupled.emplace();
-    whole.coupled->peak_shear = std::max(bonded.shear->peak_shear, -bonded.shear->peak_shear_seaward);
+    const ShearResponse& shear = *bonded.found->of(bonded, find_shear);
+    whole.coupled->peak_shear = std::max(shear.peak_shear, -shear.peak_shear_seaward);
     whole.coupled->least_normal = slid->history.least_normal_force;
     return whole;
   }

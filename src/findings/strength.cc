@@ -25,12 +25,12 @@ OutputSchema<MobilisedStrength> strength_outputs() {
 }
 
 std::vector<MobilisedStrength> find_strength(const Evidence& e) {
-  const auto& strength = e.solution.monitors->strength;
+  const auto& strength = e.of(monitors_of)->strength;
   return strength && strength->has_seen() ? strength->found() : std::vector<MobilisedStrength>();
 }
 
 SkippedList skipped_strength(const Evidence& e, const Summary&) {
-  const Monitors& monitors = *e.solution.monitors;
+  const Monitors& monitors = *e.of(monitors_of);
   if (monitors.strength ? monitors.strength->has_seen() : monitors.why_no_strength.empty()) return {};
   return {{"mobilised strength", monitors.strength ? "the contact was not marched" : monitors.why_no_strength}};
 }
@@ -58,7 +58,7 @@ NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
 
 /// Warning cavitation.
 NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
-  const auto& pressure = e.solution.monitors->pressure;
+  const auto& pressure = e.of(monitors_of)->pressure;
   if (!pressure || !pressure->has_seen() || pressure->value() >= vapour_pressure) return {};
   return {{"cavitation", pressure->value(), vapour_pressure, "Pa",
            "the water of '" + pressure->region() + "' at " + place_text(pressure->place()) + " would come to " +
@@ -69,7 +69,7 @@ NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
 }
 
 SkippedList skipped_pressure(const Evidence& e, const Summary&) {
-  const Monitors& monitors = *e.solution.monitors;
+  const Monitors& monitors = *e.of(monitors_of);
   if (monitors.pressure && (!monitors.pressure->watches() || monitors.pressure->has_seen())) return {};
   if (!e.simulation.compiled()->caisson) return {};
   return {{"cavitation of the water", monitors.pressure ? "the contact was not marched" : monitors.why_no_pressure}};

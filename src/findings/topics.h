@@ -17,6 +17,10 @@ struct SlipAsWhole {
   bool failed = false;  ///< whether the numerics failed; false: the scene does not allow it
 };
 
+/// F_T, P and the motion of the caisson; none without one.
+std::optional<ShearResponse> find_shear(const Solution& solution);
+/// The factor by which the strength may fall at rest, where the scene asks for it, and where its soil has no rest.
+std::optional<SafetySummary> find_safety(const Solution& solution);
 /// The bonded caisson, whose F_T the formulas of sliding take, also where friction was followed node by node.
 const Solution& bonded_of(const Evidence& e);
 /// S by formulas on F_T(t), without its error; none without [sliding].

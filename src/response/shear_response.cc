@@ -189,17 +189,6 @@ double farthest_of(const Samples& values) {
   return std::max(values.maxCoeff(), values.minCoeff(), [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
-/// `force`: largest |P|, which may lie between the times of the series.
-double reaction_mismatch(const CompiledScene& compiled, const Series& balanced, double force) {
-  const Samples by_ground = samples(compiled, balanced, reading::shear_force);
-  const Samples by_inertia = samples(compiled, balanced, reading::shear_by_inertia);
-  const auto of = [&](const char* name) { return largest(samples(compiled, balanced, name)); };
-  const double other_forces = std::max({force, of(reading::normal_force), of(reading::uplift),
-                                        of(reading::base_moment) / compiled.caisson->bottom_width});
-  const double scale = std::max(largest(by_ground), 1e-6 * other_forces);
-  return scale > 0. ? largest(by_ground - by_inertia) / scale : 0.;
-}
-
 /// Whether the largest |P| is seaward.
 bool is_seaward(const ShearResponse& r) {
   return -r.peak_force_seaward > r.peak_force;
@@ -265,6 +254,17 @@ TimeFunction force_on_caisson(const CompiledScene& compiled) {
   return P;
 }
 
+double reaction_mismatch(const CompiledScene& compiled, const Response& response) {
+  const TimeFunction P = force_on_caisson(compiled);  // its peak may lie between the times of the series
+  const double end = response.ends.time.back();
+  const auto of = [&](const char* name) { return samples(compiled, response.balanced, name); };
+  const double scale = std::max(largest(of(reading::shear_force)),
+                                1e-6 * std::max({extremum(P, 0., end, 1).value, -extremum(P, 0., end, -1).value,
+                                                 largest(of(reading::normal_force)), largest(of(reading::uplift)),
+                                                 largest(of(reading::base_moment)) / compiled.caisson->bottom_width}));
+  return scale > 0. ? largest(of(reading::shear_force) - of(reading::shear_by_inertia)) / scale : 0.;
+}
+
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia) {
   const TimeFunction P = force_on_caisson(compiled);
   const double end = response.ends.time.back();
@@ -273,7 +273,7 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   set_peaks(r, compiled, response, P, inertia);
   set_ratios(r, end);
   r.arm = arm_at(compiled, is_seaward(r) ? r.peak_force_seaward_time : r.peak_force_time);
-  r.reaction_mismatch = reaction_mismatch(compiled, response.balanced, std::max(r.peak_force, -r.peak_force_seaward));
+  r.reaction_mismatch = reaction_mismatch(compiled, response);
   return r;
 }
 
@@ -340,9 +340,9 @@ double possible_work(const System& system, double end) {
 Imbalance::Imbalance(Mismatch mismatch)
     : NumericsError(mismatch.what + " by " + significant(mismatch.value)), mismatch_(std::move(mismatch)) {}
 
-void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes) {
+void require_balance(double routes, const EnergyAccount& energy, double tolerable_routes) {
   require_no_gain(energy, energy.largest_work);
-  const double routes = shear.reaction_mismatch, off = energy.mismatch();
+  const double off = energy.mismatch();
   const Mismatch of_forces{"both routes to the shear force differ", routes, tolerable_routes, routes,
                            routes <= bearable};
   const Mismatch of_energies{energies_differ, off, tolerable_energy, std::sqrt(off), off <= bearable};

@@ -33,6 +33,11 @@ TimeFunction force_on_caisson(const CompiledScene& compiled);
 /// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
+/// Largest difference of both routes to F_T, relative to the largest |F_T|, or, where F_T vanishes by symmetry or
+/// between loads, to a millionth of the largest of |P| at any time, the change of the normal force, the uplift, and the
+/// moment over the bottom's width. Needs a scene with a caisson.
+double reaction_mismatch(const CompiledScene& compiled, const Response& response);
+
 /// Two numbers that must be equal differ.
 struct Mismatch {
   std::string what;
@@ -51,11 +56,9 @@ class Imbalance : public NumericsError {
   Mismatch mismatch_;
 };
 
-/// Throws Imbalance where both routes to F_T differ by more than 1e-7, or the work and the sum of all energies by more
-/// than 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
-/// relative to the largest |F_T|, or, where F_T vanishes by symmetry or between loads, to a millionth of the largest of
-/// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
-void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes = 1e-7);
+/// Throws Imbalance where both routes to F_T differ by more than 1e-7 (see reaction_mismatch), or the work and the sum
+/// of all energies by more than 1e-6; NumericsError where more energy is stored than 1.1 times the largest work.
+void require_balance(double routes, const EnergyAccount& energy, double tolerable_routes = 1e-7);
 
 /// The same for the energy of a scene without a caisson, marched until `end` (s). Loads whose work is only round-off,
 /// as of a pressure on incompressible water, have nothing to balance: that is work below 1e-10 of what they would do

@@ -115,7 +115,7 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
                             const std::function<void(double)>& progress) {
   LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
   ObserverFunction reported = progress_observer(progress);
-  MarchOptions options;
+  Marching options;
   options.observers = {&strains, &reported};
   const TimeScheme asked = simulation.scene().time.scheme;
   SchemeOptions scheme_options;
@@ -123,9 +123,12 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   const auto scheme = make_scheme(simulation.system(), scheme_options);
   const Solution solution = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);
-  const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
-  const double step = solution.discretisation.time_step;
-  return {strains.shear(), solution.shear ? largest_shear(*solution.shear) : largest, step};
+  const CompiledScene& compiled = *simulation.compiled();
+  const double measure =
+      compiled.caisson
+          ? largest_shear(read_shear_response(compiled, solution.response, simulation.scene().time.inertia))
+          : *std::max_element(strains.shear().begin(), strains.shear().end());
+  return {strains.shear(), measure, solution.discretisation.time_step};
 }
 
 /// As the first answer was found.

@@ -41,14 +41,18 @@ std::vector<MarchObserver*> Monitors::observers() {
   return list;
 }
 
-void Monitors::look(const Solution& solution) {
+std::shared_ptr<const Monitors> monitors_of(const Solution& solution) {
+  if (solution.monitors) return solution.monitors;
   const Simulation& simulation = *solution.simulation;
-  const auto loads = [&] { return sampled_loads(simulation.scene(), simulation.system()); };
-  const auto duration = [&] { return step_of_loads(simulation.scene(), 4).duration; };
-  if (solution.pressures && pressure) pressure->see(*solution.pressures, loads(), duration());
-  if (solution.pressures && upward) upward->see(*solution.pressures, loads());
-  if (solution.states && strength) strength->see(*solution.states, loads(), duration());
-  if (solution.states && cyclic) cyclic->see(*solution.states, loads(), duration());
+  const auto monitors = std::make_shared<Monitors>(simulation);
+  if (!solution.pressures && !solution.states) return monitors;
+  const SampledLoads loads = sampled_loads(simulation.scene(), simulation.system());
+  const double duration = step_of_loads(simulation.scene(), 4).duration;
+  if (solution.pressures && monitors->pressure) monitors->pressure->see(*solution.pressures, loads, duration);
+  if (solution.pressures && monitors->upward) monitors->upward->see(*solution.pressures, loads);
+  if (solution.states && monitors->strength) monitors->strength->see(*solution.states, loads, duration);
+  if (solution.states && monitors->cyclic) monitors->cyclic->see(*solution.states, loads, duration);
+  return monitors;
 }
 
 }  // namespace upbead

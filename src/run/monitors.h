@@ -2,6 +2,7 @@
 // of sand that builds pore pressure, excess pressure below the surface of the ground.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,15 +14,10 @@
 
 namespace upbead {
 
-class Monitors {
- public:
-  /// For the simulation that will be solved, which must outlive the march.
+struct Monitors {
   explicit Monitors(const Simulation& simulation);
-
   /// The observers of a march; this object must outlive the march.
   std::vector<MarchObserver*> observers();
-  /// Looks at what a reduced model answers, where the scene was not marched.
-  void look(const Solution& solution);
 
   std::optional<LeastPressure> pressure;
   std::optional<Mobilisation> strength;
@@ -30,5 +26,8 @@ class Monitors {
   std::optional<StaticStage> rest;       ///< the ground at rest, where strength or cycles ask for it
   std::string why_no_pressure, why_no_strength, why_no_cyclic;  ///< "" where there is one
 };
+
+/// Those of the march, or what they see in all that a reduced model answers.
+std::shared_ptr<const Monitors> monitors_of(const Solution& solution);
 
 }  // namespace upbead

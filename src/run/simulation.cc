@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "dynamics/basis.h"
 #include "fem/compile.h"
+#include "fem/curve_course.h"
 #include "fem/scene_check.h"
 #include "fem/system_scene.h"
 #include "run/accuracy/accuracy.h"
@@ -82,6 +83,7 @@ Simulation with_given(const Simulation& simulation, const Scene& given) {
     parts.scene = given;
     parts.scene.regions = simulation.scene().regions;  // resolved
     parts.scene.tolerance = simulation.scene().tolerance;
+    follow_curves(*simulation.mesh(), parts.scene);
   });
 }
 

@@ -1,41 +1,30 @@
 #include "base/progress.h"
-#include "fem/compile.h"
-#include "fem/rest_state.h"
 #include "fem/scene_check.h"
-#include "run/construction.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
-#include "run/monitors.h"
 #include "run/sliding/case_sliding.h"
-#include "run/sliding/slip_ahead.h"
 #include "run/solve.h"
 #include "run/yielding_run.h"
+#include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
 
 namespace {
 
-Simulation without_sliding(const Simulation& simulation) {
-  if (needs_sliding(simulation.given())) return simulation;
-  Scene without = simulation.given();
-  without.sliding.reset();
-  return with_given(simulation, without);
-}
-
 /// About ten marches of the soil come before the run that counts: the part of the work that they are.
 double soil_ends(const Simulation& simulation) {
   return follows_strain(simulation.scene()) && !simulation.soil() ? 0.8 : 0.;
 }
 
-/// Where the scene asks for it, and where its soil has no rest.
-std::optional<SafetySummary> safety_of(const Simulation& simulation, const Solution& solution) {
-  const Scene& scene = simulation.scene();
-  const bool lacks_rest = solution.yielding && !solution.yielding->found.why_no_rest.empty();
-  if (!(scene.initial && scene.initial->safety) && !scene.limits.safety && !lacks_rest) return std::nullopt;
-  const SafetyFactor found = safety_factor(simulation.scene(), *simulation.mesh(), simulation.soil_state(),
-                                           shown_progress("strength reduction"));
-  return SafetySummary{found.lower, found.upper, found.fails_at, found.why};
+/// A caisson that cannot slip. Where the scheme that the scene names is refused, the message says whether another one
+/// gives a result; contact has only one scheme.
+Solution solve_tied(const Simulation& simulation, const Marching& marching) {
+  try {
+    return run_bonded(simulation, marching);
+  } catch (const NumericsError& error) {
+    throw NumericsError(error.what() + what_would_work(simulation, marching.beside));
+  }
 }
 
 }  // namespace
@@ -44,33 +33,26 @@ bool needs_sliding(const Scene& scene) {
   return has_frictional_contact(scene) || !scene.mesh.refine;
 }
 
-Solution solve(const Simulation& simulation, const RunOptions& options) {
-  const double begin = soil_ends(simulation);
-  const auto solved = std::make_shared<const Simulation>(
-      with_converged_soil(without_sliding(simulation), part_of(options.progress, 0., begin)));
-  const auto ahead =
-      std::make_shared<SlipAhead>(std::make_shared<const Simulation>(with_given(*solved, simulation.given())));
-  const auto monitors = std::make_shared<Monitors>(*solved);
-  const bool slips = solved->system().interface.has_value();
+Solution solve(const Simulation& asked, const RunOptions& options) {
+  const double begin = soil_ends(asked);
+  const auto simulation =
+      std::make_shared<const Simulation>(with_converged_soil(asked, part_of(options.progress, 0., begin)));
+  const bool slips = simulation->system().interface.has_value(), soil_yields = yields(simulation->scene());
   const double bonded_ends =
       slips ? begin + 0.1 * (1. - begin) : begin;  // before contact a bonded run, a tenth as long
   ObserverFunction progress = progress_observer(part_of(options.progress, bonded_ends, 1.));
-  MarchOptions marching;
-  marching.observers = monitors->observers();
-  marching.observers.push_back(&progress);
-  if (MarchObserver* other = options.observer ? options.observer(*solved) : nullptr)
+  Marching marching;
+  marching.observers = {&progress};
+  if (MarchObserver* other = options.observer ? options.observer(*simulation) : nullptr)
     marching.observers.push_back(other);
-  marching.stop_at_energy = solved->scene().time.stop_at_energy.value_or(0.);
+  marching.stop_at_energy = simulation->scene().time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
-  const auto solving = part_of(options.progress, begin, slips ? bonded_ends : 1.);
-  Solution solution = slips                     ? run_contact(*solved, marching, solving, options.soil)
-                      : yields(solved->scene()) ? run_yielding(*solved, marching, {}, {true, {{}, {}, options.soil}})
-                                                : solve_tied(*solved, ahead, marching, solving);
-  monitors->look(solution);
-  solution.monitors = monitors;
-  solution.safety = safety_of(*solved, solution);
-  if (!solution.construction) solution.construction = build(*solved);
-  return with_sliding(std::move(solution), simulation.given());
+  if (slips || !soil_yields) marching.beside = part_of(options.progress, begin, slips ? bonded_ends : 1.);
+  marching.soil = options.soil;
+  marching.monitored = true;
+  return slips         ? run_contact(*simulation, marching)
+         : soil_yields ? run_yielding(*simulation, marching)
+                       : solve_tied(*simulation, marching);
 }
 
 Solution with_sliding(Solution solution, const Scene& given) {

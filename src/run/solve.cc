@@ -10,12 +10,12 @@
 #include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
-#include "response/natural_periods.h"
 #include "response/reduction.h"
 #include "response/soil_family.h"
 #include "response/time_choice.h"
-#include "run/chosen_times.h"
 #include "run/derived.h"
+#include "run/monitors.h"
+#include "run/sliding/slip_ahead.h"
 #include "run/soil_member.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
@@ -49,9 +49,18 @@ int contact_leap(double tolerance) {
 /// Per independent load, where the case asks for a reduced model: twice as many as where a march would do as well.
 constexpr int most_vectors_by_name = 200;
 
-/// Kinks of the loads, and the times of fields and of readings that the case lists.
+/// Times (s) at which fields are written, other than t = 0.
+std::vector<double> times_of_fields(const Scene& scene) {
+  if (!scene.fields_every) return {};
+  std::vector<double> times = scene.output_times;
+  for (int i = 1; i * *scene.fields_every < scene.time.end; ++i) times.push_back(i * *scene.fields_every);
+  return times;
+}
+
+/// Kinks of the loads, and the times of fields and of readings that the case lists, ascending.
 std::vector<double> times_to_meet(const Scene& scene, const System& system) {
-  std::vector<double> times = kinks(system), others = times_to_look_at(scene);
+  std::vector<double> times = kinks(system);
+  const std::vector<double> others = scene.fields_every ? times_of_fields(scene) : scene.output_times;
   times.insert(times.end(), others.begin(), others.end());
   std::sort(times.begin(), times.end());
   return times;
@@ -79,12 +88,10 @@ Discretisation discretisation(const Simulation& simulation, const std::string& s
   return d;
 }
 
-/// How the response was found, and F_T in it.
+/// How the response was found.
 Solution solution_of(const Simulation& simulation, const std::string& scheme, Response response) {
   Solution solution;
   solution.discretisation = discretisation(simulation, scheme, response);
-  if (simulation.compiled()->caisson)
-    solution.shear = read_shear_response(*simulation.compiled(), response, simulation.scene().time.inertia);
   solution.response = std::move(response);
   solution.timing = simulation.timing();
   return solution;
@@ -96,20 +103,6 @@ std::string reasons(const Ladder& ladder) {
   for (const LadderStep& step : ladder) text += "\n  " + step.way + ": " + step.refused;
   return text;
 }
-
-/// The best result so far of those that do not balance.
-struct Closest {
-  std::optional<Solution> solution;
-  std::string way;
-  double error = infinity;
-
-  void take(Solution&& other, const std::string& name, const Mismatch& off) {
-    if (!off.bearable || !(off.error < error)) return;
-    solution = std::move(other);
-    way = name;
-    error = off.error;
-  }
-};
 
 /// Indices of the times at which some observer wants to see a state; none twice.
 std::vector<Eigen::Index> wanted(const std::vector<double>& time, const std::vector<MarchObserver*>& observers) {
@@ -133,13 +126,10 @@ void show(const StateModel& states, const SampledLoads& loads, const std::vector
   });
 }
 
-/// reduce_scene(), once no other thread reads the mesh.
-Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Simulation& simulation,
-                        const ReductionTargets& targets, const std::function<void(double)>& progress) {
-  struct AtEnd {
-    const std::shared_ptr<SlipAhead>& ahead;
-    ~AtEnd() { ahead->leave_mesh(); }
-  } at_end{ahead};
+/// Afterwards no other thread reads the mesh.
+Reduction reduced(const Simulation& simulation, SlipAhead* ahead, const ReductionTargets& targets,
+                  const std::function<void(double)>& progress) {
+  const MeshLeft left{ahead};
   if (const SoilMember* member = simulation.member().get())
     return reduce_scene(simulation.scene(), member->compiled, targets, progress);
   return reduce_scene(simulation.scene(), *simulation.compiled(), targets, progress, simulation.room().get());
@@ -148,13 +138,13 @@ Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Simulatio
 /// Reduces the scene and computes its response to its own loads. A case that asks for a reduced model gets one whose
 /// F_T meets the tolerance; it lists readings that do not meet theirs. Throws NumericsError where it does
 /// not converge.
-Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::shared_ptr<SlipAhead>& ahead,
-                     const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
+Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, SlipAhead* ahead,
+                     const Marching& marching) {
   const Stopwatch watch;
   const Scene& scene = simulation.scene();
   const System& system = simulation.system();
   const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene()));
-  const bool is_shown = !wanted(shown.time, observers).empty();
+  const bool is_shown = !wanted(shown.time, marching.observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
   const bool everywhere = !simulation.member();
   const bool states = everywhere && (simulation.scene().fields_every || is_shown || has_strength(simulation.scene()) ||
@@ -166,7 +156,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
   const ReductionTargets targets{false,        false, most_vectors, true, states, true, whole_tolerance(simulation),
                                  first_vectors};
-  Reduction reduction = reduce_beside(ahead, simulation, targets, part_of(progress, 0., reducing_ends));
+  Reduction reduction = reduced(simulation, ahead, targets, part_of(marching.beside, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else
@@ -178,22 +168,19 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   solution.reduction = summary_of(reduction);
   if (simulation.member()) solution.reduction->error_of_soils = simulation.member()->error;
   solution.n_spared = reduction.n_spared;
-  if (simulation.compiled()->caisson)
-    solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
   solution.model = std::move(reduction.model);
   solution.pressures = std::move(reduction.pressures);
   if (solution.pressures && simulation.member())
     solution.pressures->basis = in_scene(solution.pressures->basis, *simulation.member()->phi);
   solution.states = std::move(reduction.states);
-  if (solution.states) show(*solution.states, shown, observers, part_of(progress, reducing_ends, 1.));
+  if (solution.states) show(*solution.states, shown, marching.observers, part_of(marching.beside, reducing_ends, 1.));
   solution.timing.factorise = reduction.factorise_seconds;
   solution.timing.march = watch.seconds() - solution.timing.factorise;
   return solution;
 }
 
 /// Marches; `choice` must be a scheme that marches, the observers see every step.
-Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
-                   const Way& way) {
+Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const Marching& options, const Way& way) {
   SchemeOptions scheme_options;
   if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   scheme_options.refined = way.refined;
@@ -216,22 +203,21 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
   return list;
 }
 
-/// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
-std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& reducing) {
+}  // namespace
+
+std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& progress) {
   const TimeScheme refused = simulation.scene().time.scheme;
   if (refused == TimeScheme::automatic) return "";
   Scene automatic = simulation.given();
   automatic.time.scheme = TimeScheme::automatic;
   const Simulation other = with_given(simulation, automatic);
-  ObserverFunction progress = progress_observer(reducing);
-  MarchOptions silent;
-  silent.observers = {&progress};
+  ObserverFunction reported = progress_observer(progress);
+  Marching silent;
+  silent.observers = {&reported};
   const SchemeChoice choice{TimeScheme::sdirk4, "another scheme was refused", {}};
   std::vector<Way> list = ways_to_march(other.scene(), word_of(choice.scheme, time_scheme_words));
   if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps it was refused
-  const auto solve = [&](const Way& way, const MarchOptions& options) {
-    return run_march(other, choice, options, way);
-  };
+  const auto solve = [&](const Way& way, const Marching& options) { return run_march(other, choice, options, way); };
   try {
     return "; time.scheme = \"auto\" answers this scene, by " + climb(other, list, silent, solve).ladder.back().way;
   } catch (const NumericsError&) {
@@ -239,16 +225,15 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   }
 }
 
-Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead,
-                      const MarchOptions& marching, const std::function<void(double)>& reducing) {
+Solution run_bonded(const Simulation& simulation, const Marching& marching) {
   const SchemeChoice choice = simulation.member()
                                   ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", most_of_member}
                                   : choose_scheme(simulation.scene(), *simulation.compiled());
   const bool reduces = choice.scheme == TimeScheme::reduced;
   const SchemeChoice marched = reduces ? SchemeChoice{TimeScheme::sdirk4, "the reduced model was refused", {}} : choice;
-  if (reduces) ahead->begin();
-  const auto solve = [&](const Way& way, const MarchOptions& options) {
-    return way.reduced ? run_reduced(simulation, choice, ahead, options.observers, reducing)
+  const std::shared_ptr<SlipAhead> ahead = reduces ? slip_ahead(simulation) : nullptr;
+  const auto solve = [&](const Way& way, const Marching& options) {
+    return way.reduced ? run_reduced(simulation, choice, ahead.get(), options)
                        : run_march(simulation, marched, options, way);
   };
   Solution solution = climb(simulation, ways(simulation, choice, marched), marching, solve);
@@ -256,8 +241,6 @@ Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAh
   solution.ahead = ahead;
   return solution;
 }
-
-}  // namespace
 
 void check_steps(const Scene& scene, double step, const std::optional<StepGrowth>& growth, const std::string& because) {
   const double end = scene.time.end, n = estimated_steps(n_kinks(scene), end, step, growth);
@@ -311,8 +294,9 @@ ReductionSummary summary_of(const Reduction& r) {
 std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& solution) {
   const std::vector<EnergyAccount>& energy = solution.response.energy;
   try {
-    if (solution.shear)
-      require_balance(*solution.shear, energy.empty() ? EnergyAccount() : energy.back(),
+    if (simulation.compiled()->caisson)
+      require_balance(reaction_mismatch(*simulation.compiled(), solution.response),
+                      energy.empty() ? EnergyAccount() : energy.back(),
                       solution.yielding ? tolerable_of_yielding(whole_tolerance(simulation)) : 1e-7);
     else if (!energy.empty())
       require_balance(energy.back(), simulation.system(), simulation.scene().time.end);
@@ -333,32 +317,34 @@ std::vector<Way> ways_to_march(const Scene& given, const std::string& scheme) {
   return list;
 }
 
-Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching,
-               const std::function<Solution(const Way&, const MarchOptions&)>& solve) {
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const Marching& marching,
+               const std::function<Solution(const Way&, const Marching&)>& solve) {
   Ladder ladder;
-  Closest closest;
-  MarchOptions again = marching;
+  std::optional<Solution> closest;  // of those that do not balance
+  double error_of_closest = infinity;
+  Marching again = marching;
   again.checkpoints = {};
-  const auto with_ladder = [&ladder](Solution&& solution) {
-    solution.ladder = ladder;
-    return std::move(solution);
-  };
   for (const Way& way : ways) {
     ladder.push_back({way.name, ""});
     try {
       Solution solution = solve(way, way.refined ? again : marching);
       const std::optional<Mismatch> off = imbalance(simulation, solution);
-      if (!off) return with_ladder(std::move(solution));
+      if (!off) {
+        solution.ladder = std::move(ladder);
+        return solution;
+      }
       ladder.back().refused = Imbalance(*off).what();
-      closest.take(std::move(solution), way.name, *off);
+      if (!off->bearable || !(off->error < error_of_closest)) continue;
+      error_of_closest = off->error;
+      solution.ladder = {{way.name + ", the closest of these", ""}};
+      closest = std::move(solution);
     } catch (const NumericsError& error) {
       ladder.back().refused = error.what();
     }
   }
-  if (!closest.solution)
-    throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
-  ladder.push_back({closest.way + ", the closest of these", ""});
-  return with_ladder(std::move(*closest.solution));
+  if (!closest) throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
+  closest->ladder.insert(closest->ladder.begin(), ladder.begin(), ladder.end());
+  return std::move(*closest);
 }
 
 namespace {
@@ -393,9 +379,14 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
 
 }  // namespace
 
-Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
+Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
                   double part) {
   MarchOptions marching = options;
+  const auto monitors = options.monitored ? std::make_shared<Monitors>(simulation) : nullptr;
+  if (monitors) {
+    const std::vector<MarchObserver*> first = monitors->observers();
+    marching.observers.insert(marching.observers.begin(), first.begin(), first.end());
+  }
   const System& system = simulation.system();
   const TimeChoice& time = simulation.scene().time;
   StepChoice step;
@@ -427,27 +418,13 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
   response.n_factorisations += step.factorisations;
   response.n_solves += step.factorisations;
   Solution solution = solution_of(simulation, scheme.name(), std::move(response));
+  solution.monitors = monitors;
   solution.timing.factorise = scheme.factorise_seconds() + step.seconds;
   solution.timing.march = watch.seconds() - scheme.factorise_seconds();
   solution.discretisation.why_scheme = reason;
   solution.discretisation.why_step = step.reason;
   if (marching.leap > 1) solution.discretisation.time_step = largest_step(grid);
   return solution;
-}
-
-Solution run_bonded(const Simulation& simulation, const MarchOptions& marching,
-                    const std::function<void(double)>& reducing) {
-  const auto ahead = std::make_shared<SlipAhead>(std::make_shared<const Simulation>(simulation));
-  return solve_bonded(simulation, ahead, marching, reducing);
-}
-
-Solution solve_tied(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
-                    const std::function<void(double)>& reducing) {
-  try {
-    return solve_bonded(simulation, ahead, marching, reducing);
-  } catch (const NumericsError& error) {
-    throw NumericsError(error.what() + what_would_work(simulation, reducing));
-  }
 }
 
 }  // namespace upbead

@@ -9,13 +9,19 @@
 
 #include "response/shear_response.h"
 #include "response/time_choice.h"
-#include "run/sliding/slip_ahead.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/dynamics/time_grid.h"
 #include "upbead/model/scene.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
+
+/// How a scene is marched, and who looks.
+struct Marching : MarchOptions {
+  std::function<void(double)> beside{};  ///< progress of what is solved before or besides that march; may be null
+  SoilFollower soil{};                   ///< see RunOptions::soil
+  bool monitored = false;                ///< whether Monitors look, which the solution then has
+};
 
 /// One way to solve a scene in time.
 struct Way {
@@ -31,8 +37,8 @@ std::vector<Way> ways_to_march(const Scene& given, const std::string& scheme);
 
 /// The result of the first way by which solve() gives one that balances, with its ladder. Where none balances, the
 /// result that comes closest, if it is bearable; it then needs a warning. Else throws NumericsError with all reasons.
-Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching,
-               const std::function<Solution(const Way&, const MarchOptions&)>& solve);
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const Marching& marching,
+               const std::function<Solution(const Way&, const Marching&)>& solve);
 
 /// The balance that a result violates, see require_balance of response/shear_response.h. Throws NumericsError where
 /// it stores more energy than the loads have supplied.
@@ -50,17 +56,13 @@ void check_steps(const Scene& scene, double step, const std::optional<StepGrowth
 ReductionSummary summary_of(const Reduction& reduction);
 
 /// Solves by the scheme that the case asks for or that is the least work; an interface must be bonded.
-Solution run_bonded(const Simulation& simulation, const MarchOptions& marching,
-                    const std::function<void(double)>& reducing);
+Solution run_bonded(const Simulation& simulation, const Marching& marching);
 
-/// The same for a caisson that cannot slip; `ahead` may begin with the space of one that slips as a whole. Where the
-/// scheme that the scene names is refused, the message says whether another one gives a result; contact has only one
-/// scheme.
-Solution solve_tied(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
-                    const std::function<void(double)>& reducing);
+/// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
+std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& progress);
 
 /// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen.
-Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
+Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
                   double part = 1.);
 
 }  // namespace upbead

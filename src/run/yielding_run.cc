@@ -15,7 +15,6 @@
 #include "response/compaction.h"
 #include "run/construction.h"
 #include "run/derived.h"
-#include "run/solve.h"
 #include "run/yielding_watch.h"
 
 namespace upbead {
@@ -113,8 +112,8 @@ YieldingSolution yielding_of(const Simulation& simulation, RestStart start, cons
   return out;
 }
 
-Solution march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
-                    const Way& way, const YieldingFollower& follower) {
+Solution march_from(const Simulation& simulation, RestStart start, const Rest& rest, const Marching& marching,
+                    const Way& way, const NodeFollower& nodes) {
   const SoilLaws laws = soil_laws(simulation.scene(), *simulation.space(), rest.elastic.stress, start,
                                   rest.failing ? &rest.failing->stresses : nullptr);
   const System& system = simulation.system();
@@ -122,41 +121,42 @@ Solution march_from(const Simulation& simulation, RestStart start, const Rest& r
       yielding_soil(*simulation.space(), *simulation.unknowns(), system.readings, laws.points, work_of(simulation));
   const auto scheme = make_yielding_scheme(
       system, *soil, {yielding_tolerance * whole_tolerance(simulation), way.refined, rest.elastic.weight});
-  if (follower.soil) follower.soil(*soil);
+  if (marching.soil) marching.soil(*soil);
   YieldingWatch watch(*simulation.space(), *simulation.unknowns(), *soil);
-  MarchOptions followed = marching;
+  Marching followed = marching;
   followed.observers.push_back(&watch);
-  if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
+  if (MarchObserver* observer = nodes.begin ? nodes.begin(*scheme) : nullptr)
     followed.observers.insert(followed.observers.begin(), observer);
   Solution solution = march_by(*scheme, simulation, "soil that yields", followed, way.part);
   solution.discretisation.why_scheme += "; " + percent(soil->share_skipped()) +
                                         " of the updates of cells were left out, as no soil in those cells could yield";
   solution.yielding = yielding_of(simulation, start, rest, laws, *soil, watch, *scheme->yielding(), solution);
-  if (follower.end) solution.contact = follower.end();
+  if (nodes.end) solution.contact = nodes.end();
   return solution;
 }
 
-Solution climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
-                    const YieldingFollower& follower = {}) {
-  const auto solve = [&](const Way& way, const MarchOptions& options) {
-    return march_from(simulation, start, rest, options, way, follower);
+Solution climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const Marching& marching,
+                    const NodeFollower& nodes = {}) {
+  const auto solve = [&](const Way& way, const Marching& options) {
+    return march_from(simulation, start, rest, options, way, nodes);
   };
   return climb(simulation, ways_to_march(simulation.scene(), "yielding"), marching, solve);
 }
 
-StartBound bound_of(const Solution& solution) {
+StartBound bound_of(const Simulation& simulation, const Solution& solution) {
+  const ShearResponse shear =
+      read_shear_response(*simulation.compiled(), solution.response, simulation.scene().time.inertia);
   StartBound bound;
   bound.start = solution.yielding->found.start;
-  bound.peak_shear = solution.shear->peak_shear;
-  bound.shear_to_force_ratio = solution.shear->shear_to_force_ratio;
+  bound.peak_shear = shear.peak_shear;
+  bound.shear_to_force_ratio = shear.shear_to_force_ratio;
   bound.residual = *solution.yielding->residual;
   return bound;
 }
 
 }  // namespace
 
-Solution run_yielding(const Simulation& simulation, const MarchOptions& marching,
-                      const std::function<void(double)>& progress, const YieldingRunOptions& options) {
+Solution run_yielding(const Simulation& simulation, const Marching& marching, const NodeFollower& nodes, bool bounds) {
   Rest rest{solve_static(simulation.scene(), *simulation.mesh()), {}, {}};
   if (needs_rest_state(simulation.scene())) {
     RestState found =
@@ -166,17 +166,17 @@ Solution run_yielding(const Simulation& simulation, const MarchOptions& marching
     if (found.found) rest.failing = std::move(found);
   }
   const RestStart start = start_of(simulation.scene());
-  Solution solution = climb_from(simulation, start, rest, marching, options.follower);
+  Solution solution = climb_from(simulation, start, rest, marching, nodes);
   solution.construction = rest.construction;
   solution.simulation = std::make_shared<const Simulation>(simulation);
-  if (options.bounds && simulation.compiled()->caisson && wants_bounds(simulation.scene())) {
+  if (bounds && simulation.compiled()->caisson && wants_bounds(simulation.scene())) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
       if (other == start) continue;
-      ObserverFunction reported = progress_observer(part_of(progress, 0.5 * n, 0.5 * (n + 1)));
-      MarchOptions silent;
+      ObserverFunction reported = progress_observer(part_of(marching.beside, 0.5 * n, 0.5 * (n + 1)));
+      Marching silent;
       silent.observers = {&reported};
-      solution.yielding->found.bounds.push_back(bound_of(climb_from(simulation, other, rest, silent)));
+      solution.yielding->found.bounds.push_back(bound_of(simulation, climb_from(simulation, other, rest, silent)));
       ++n;
     }
   }

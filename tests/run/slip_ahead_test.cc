@@ -70,11 +70,11 @@ TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
   if (!has_spare_core()) GTEST_SKIP() << "one core";
   const Case problem = read_case("case.toml", {"loads.impulse.factor=8"});
   static const PetscSession petsc;
-  SlipAhead unused(std::make_shared<const Simulation>(simulation_of(problem)));
-  unused.begin();
-  unused.leave_mesh();
-  const SlipAhead none;
-  none.leave_mesh();
+  const auto unused = slip_ahead(simulation_of(problem));
+  ASSERT_TRUE(unused);
+  unused->leave_mesh();
+  const Case weak = read_case("case.toml", {"loads.impulse.factor=0.01"});
+  EXPECT_FALSE(slip_ahead(simulation_of(weak)));
 }
 
 }  // namespace slip_ahead_test

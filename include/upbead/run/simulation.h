@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "upbead/base/memo.h"
 #include "upbead/dynamics/march.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/fem/resolve.h"
@@ -153,22 +154,21 @@ struct ContactSolution {
 struct Solution {
   std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its bottom bonded or not
   Response response;
-  std::optional<ShearResponse> shear;  ///< read from it; none without a caisson
   Discretisation discretisation;
   Ladder ladder;  ///< the ways tried; the last one was taken
   Timing timing;
-  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next five
+  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next four
   int n_spared = 0;                           ///< of its solves, those that an earlier reduction had done
   std::optional<ModalModel> model;
-  std::vector<NaturalPeriod> periods;
   std::optional<PressureModel> pressures;
   std::optional<StateModel> states;  ///< where fields or a strength are asked for
   std::optional<YieldingSolution> yielding;
   std::optional<ContactSolution> contact;
-  std::shared_ptr<const Monitors> monitors;  ///< what was looked at in each state
-  std::shared_ptr<SlipAhead> ahead;          ///< the space of a caisson that slips as a whole, where it was begun
-  std::optional<SafetySummary> safety;       ///< where it is asked for, and where no rest was found
-  std::optional<ConstructionSummary> construction;  ///< where the section is built in stages
+  std::optional<ConstructionSummary> construction;  ///< where that was solved for the stresses of soil that yields
+  std::shared_ptr<const Monitors> monitors;         ///< what was looked at in each state, where it was marched
+  std::shared_ptr<SlipAhead> ahead;  ///< the space of a caisson that slips as a whole, where it was begun
+  /// What findings have made of the solution alone, whatever [sliding] says; copies share it.
+  std::shared_ptr<Memo> found = std::make_shared<Memo>();
 };
 
 /// Lets the soil converge with the strain of its response, and solves in time. Where a way is refused, the next one is

@@ -13,7 +13,6 @@
 #include "fem/static_stage.h"
 #include "run/derived.h"
 #include "run/sliding/uplift.h"
-#include "run/solve.h"
 #include "run/yielding_run.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
@@ -238,20 +237,18 @@ ContactSolution followed_by(const ContactRecorder& recorder) {
 }
 
 /// Marches yielding soil with contact, from all starts.
-Solution march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
-                                const std::function<void(double)>& progress, const SoilFollower& follow) {
+Solution march_yielding_contact(const Simulation& simulation, const Marching& marching) {
   std::optional<ContactRecorder> recorder;
-  YieldingRunOptions options;
-  options.follower.soil = follow;
-  options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.system(), scheme); };
-  options.follower.end = [&] { return followed_by(*recorder); };
-  return run_yielding(simulation, marching, progress, options);
+  NodeFollower nodes;
+  nodes.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.system(), scheme); };
+  nodes.end = [&] { return followed_by(*recorder); };
+  return run_yielding(simulation, marching, nodes);
 }
 
-Solution march_contact(const Simulation& simulation, const MarchOptions& marching, const Way& way) {
+Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way) {
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.system(), true, way.refined);
   ContactRecorder recorder(simulation.system(), *scheme);
-  MarchOptions options = marching;
+  Marching options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
   const std::string reason = "bonded, the caisson would slip or lift at some node";
   try {
@@ -284,8 +281,7 @@ void check_at_rest(const Simulation& simulation) {
                      "move its centre of gravity, or bond it: interface = { kind = \"bonded\" }");
 }
 
-Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
-                     const std::function<void(double)>& progress, const SoilFollower& follow) {
+Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled());
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
@@ -294,12 +290,13 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = bonded(system, true);
   const Simulation bonded = with_system(simulation, tied);
-  ObserverFunction reported = progress_observer(progress);
-  MarchOptions silent;
+  ObserverFunction reported = progress_observer(marching.beside);
+  Marching silent;
   silent.observers = {&reported};
+  silent.beside = marching.beside;
   const bool soil_yields = yields(simulation.scene());
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
-  Solution before = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
+  Solution before = soil_yields ? run_yielding(bonded, silent, {}, false) : run_bonded(bonded, silent);
   const double margin = before.reduction ? before.reduction->error_of_others : 0.;
   ContactSummary found{system.interface->friction,
                        system.interface->normal_force.sum(),
@@ -316,14 +313,13 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
     return before;
   }
   const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
-  MarchOptions unkept = marching;
+  Marching unkept = marching;
   unkept.checkpoints = {};
-  const auto solve = [&](const Way& way, const MarchOptions& options) { return march_contact(*moving, options, way); };
-  Solution solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow)
+  const auto solve = [&](const Way& way, const Marching& options) { return march_contact(*moving, options, way); };
+  Solution solved = soil_yields ? march_yielding_contact(*moving, unkept)
                                 : climb(*moving, ways_to_march(simulation.scene(), "contact"), unkept, solve);
   solved.simulation = moving;
   solved.ladder = joined(before.ladder, solved.ladder);
-  solved.periods = before.periods;
   solved.timing.factorise += before.timing.factorise;
   solved.timing.march += before.timing.march;
   found.solved = solved.contact->found.solved;

@@ -1,9 +1,7 @@
 // Solving a case whose caisson may slip and lift, node by node.
 #pragma once
 
-#include <string>
-
-#include "upbead/run/simulation.h"
+#include "run/solve.h"
 
 namespace upbead {
 
@@ -13,9 +11,7 @@ void check_at_rest(const Simulation& simulation);
 
 /// Solves the scene bonded first, from which S by other measures is found. Where no node reaches its friction or is in
 /// tension, that is the result; else the scene is marched with the law of contact. The system must have an interface;
-/// the simulation of the solution is the one that was solved last. `follow`: see RunOptions::soil. Throws
-/// NumericsError.
-Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
-                     const std::function<void(double)>& progress, const SoilFollower& follow = {});
+/// the simulation of the solution is the one that was solved last. Throws NumericsError.
+Solution run_contact(const Simulation& simulation, const Marching& marching);
 
 }  // namespace upbead

@@ -24,8 +24,7 @@ namespace {
 /// NumericsError also where the model does not meet the tolerance.
 SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead* ahead, const Series& bonded,
                              const std::function<void(double)>& progress) {
-  SlipAhead none;
-  SlipReduction reduction = (ahead != nullptr ? *ahead : none).space(simulation)->reduce(bonded, progress);
+  SlipReduction reduction = sliding_space(simulation, ahead)->reduce(bonded, progress);
   constexpr double tolerable = 0.02;  // error of forces: an undamped scene would need many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
     throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +

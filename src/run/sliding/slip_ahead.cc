@@ -62,9 +62,8 @@ SlidingSpace::SlidingSpace(const Simulation& simulation, AssembledScene assemble
     : assembled_(std::move(assembled)),
       space_(simulation.scene(), *assembled_.compiled, slip_uplift(*simulation.scene().sliding)) {}
 
-void SlipAhead::begin() {
-  if (!simulation_ || !is_worth_it(*simulation_)) return;
-  left_mesh_ = assembled_.get_future().share();
+SlipAhead::SlipAhead(std::shared_ptr<const Simulation> simulation)
+    : simulation_(std::move(simulation)), left_mesh_(assembled_.get_future().share()) {
   space_ = std::async(std::launch::async, [this] {
     AssembledScene assembled = [&] {
       const KeptPromise left{assembled_};
@@ -78,15 +77,20 @@ SlidingSpace::SlidingSpace(const Simulation& simulation)
     : space_(simulation.scene(), simulation.member()->compiled, *simulation.member()->slip,
              slip_uplift(*simulation.scene().sliding)) {}
 
-SlipAhead::~SlipAhead() = default;
-
-void SlipAhead::leave_mesh() const {
-  if (left_mesh_.valid()) left_mesh_.wait();
+std::unique_ptr<SlidingSpace> SlipAhead::space_for(const Simulation& simulation) {
+  const bool fits =
+      space_.valid() && slip_uplift(*simulation.scene().sliding) == slip_uplift(*simulation_->scene().sliding);
+  return fits ? space_.get() : nullptr;
 }
 
-std::unique_ptr<SlidingSpace> SlipAhead::space(const Simulation& simulation) {
-  if (space_.valid() && slip_uplift(*simulation.scene().sliding) == slip_uplift(*simulation_->scene().sliding))
-    return space_.get();
+std::shared_ptr<SlipAhead> slip_ahead(const Simulation& simulation) {
+  if (!is_worth_it(simulation)) return nullptr;
+  return std::make_shared<SlipAhead>(std::make_shared<const Simulation>(simulation));
+}
+
+std::unique_ptr<SlidingSpace> sliding_space(const Simulation& simulation, SlipAhead* begun) {
+  if (begun != nullptr)
+    if (auto space = begun->space_for(simulation)) return space;
   if (simulation.member() && simulation.member()->slip) return std::make_unique<SlidingSpace>(simulation);
   return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
 }

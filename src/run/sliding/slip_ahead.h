@@ -32,33 +32,40 @@ class SlidingSpace {
   SlipSpace space_;
 };
 
-/// Makes a SlidingSpace, either on another core while the bonded caisson is solved, or when it is asked for; the
-/// space is the same in both cases.
+/// Makes a SlidingSpace on another core while the bonded caisson is solved.
 class SlipAhead {
  public:
-  /// Makes the space only when it is asked for.
-  SlipAhead() = default;
-  /// Makes it then, too, unless begin() is called.
-  explicit SlipAhead(std::shared_ptr<const Simulation> simulation) : simulation_(std::move(simulation)) {}
+  explicit SlipAhead(std::shared_ptr<const Simulation> simulation);
   SlipAhead(const SlipAhead&) = delete;
   SlipAhead& operator=(const SlipAhead&) = delete;
-  ~SlipAhead();
 
-  /// Begins where another core is free and the loads exceed the friction: then a bonded caisson most likely reaches its
-  /// friction, and the space will be asked for.
-  void begin();
   /// Returns once the mesh is no longer read here: deal.II marks cells while it numbers unknowns, so that no other
   /// thread may go through the cells meanwhile.
-  void leave_mesh() const;
-  /// The space of that scene; what was begun for the same one, or one that differs in other keys of [sliding] than the
-  /// kind of uplift, is given away at the first call. Throws what was thrown while the space was made.
-  std::unique_ptr<SlidingSpace> space(const Simulation& simulation);
+  void leave_mesh() const { left_mesh_.wait(); }
+  /// Gives the space away, at the first call, to a scene that is the same but for other keys of [sliding] than the kind
+  /// of uplift; else null. Throws what was thrown while the space was made.
+  std::unique_ptr<SlidingSpace> space_for(const Simulation& simulation);
 
  private:
   std::shared_ptr<const Simulation> simulation_;
   std::promise<void> assembled_;
   std::future<std::unique_ptr<SlidingSpace>> space_;
   std::shared_future<void> left_mesh_;
+};
+
+/// Begins where another core is free and the loads exceed the friction: then a bonded caisson most likely reaches its
+/// friction, and the space will be asked for. Else null.
+std::shared_ptr<SlipAhead> slip_ahead(const Simulation& simulation);
+
+/// The space of that scene: what was begun, which may be null, or made now; both are the same.
+std::unique_ptr<SlidingSpace> sliding_space(const Simulation& simulation, SlipAhead* begun);
+
+/// At the end of its scope no other thread reads the mesh.
+struct MeshLeft {
+  const SlipAhead* ahead;  ///< may be null
+  ~MeshLeft() {
+    if (ahead != nullptr) ahead->leave_mesh();
+  }
 };
 
 }  // namespace upbead
