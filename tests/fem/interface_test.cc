@@ -49,20 +49,19 @@ class Bottom : public testing::TestWithParam<int> {
 
 TEST_P(Bottom, GluedIsTheSystemWithoutInterface) {
   const Compiled plain(scene_, *mesh_), loose(scene_, *mesh_, true);
-  ASSERT_TRUE(loose.scene.system.interface);
-  const System system = bonded(loose.scene.system);
-  ASSERT_EQ(system.size(), plain.scene.system.size());
-  EXPECT_LE(difference(plain.scene.system.M, system.M), round_off);
-  EXPECT_LE(difference(plain.scene.system.C, system.C), round_off);
-  EXPECT_LE(difference(plain.scene.system.K, system.K), round_off);
-  for (std::size_t k = 0; k < system.loads.size(); ++k)
-    EXPECT_EQ(system.loads[k].vector, plain.scene.system.loads[k].vector);
-  ASSERT_EQ(system.readings.size(), plain.scene.system.readings.size());
+  ASSERT_TRUE(loose.system.interface);
+  const System system = bonded(loose.system);
+  ASSERT_EQ(system.size(), plain.system.size());
+  EXPECT_LE(difference(plain.system.M, system.M), round_off);
+  EXPECT_LE(difference(plain.system.C, system.C), round_off);
+  EXPECT_LE(difference(plain.system.K, system.K), round_off);
+  for (std::size_t k = 0; k < system.loads.size(); ++k) EXPECT_EQ(system.loads[k].vector, plain.system.loads[k].vector);
+  ASSERT_EQ(system.readings.size(), plain.system.readings.size());
 }
 
 TEST_P(Bottom, ResidualsAreTheForcesOfTheReadings) {
   const Compiled loose(scene_, *mesh_, true);
-  const System& system = loose.scene.system;
+  const System& system = loose.system;
   const int n = system.interface->n_nodes();
   State state = at_rest(system);
   for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
@@ -82,7 +81,7 @@ TEST_P(Bottom, ResidualsAreTheForcesOfTheReadings) {
 TEST_P(Bottom, StressesOfNodesAreTheirForces) {
   scene_.base_stress = true;
   const Compiled loose(scene_, *mesh_, true);
-  const System& system = loose.scene.system;
+  const System& system = loose.system;
   State state = at_rest(system);
   for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
   const std::vector<double> no_load(system.loads.size(), 0.);
@@ -104,7 +103,7 @@ TEST_P(Bottom, StressesOfNodesAreTheirForces) {
 TEST_P(Bottom, StressesSumToTheForcesOfAllLoads) {
   scene_.base_stress = true;
   const Compiled plain(scene_, *mesh_);
-  const System& system = plain.scene.system;
+  const System& system = plain.system;
   State state = at_rest(system);
   for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
   const std::vector<double> load(system.loads.size(), 1e9);
@@ -124,7 +123,7 @@ TEST_P(Bottom, StressesSumToTheForcesOfAllLoads) {
 
 TEST_P(Bottom, RigidSlipMovesTheCaissonAndNothingElse) {
   const Compiled loose(scene_, *mesh_, true);
-  const System& system = loose.scene.system;
+  const System& system = loose.system;
   const int n = system.interface->n_nodes(), b = loose.scene.body_coordinates.front();
   for (const auto& [motion, first] : {std::pair(motion_x, system.first_slip()), {motion_y, system.first_opening()}}) {
     Vector x = Vector::Zero(system.size());
@@ -142,14 +141,14 @@ TEST_P(Bottom, RigidSlipMovesTheCaissonAndNothingElse) {
 
 TEST_P(Bottom, MatricesStaySymmetric) {
   const Compiled loose(scene_, *mesh_, true);
-  for (const SparseMatrix* A : {&loose.scene.system.M, &loose.scene.system.C, &loose.scene.system.K})
+  for (const SparseMatrix* A : {&loose.system.M, &loose.system.C, &loose.system.K})
     EXPECT_LE(difference(*A, SparseMatrix(A->transpose())), round_off);
 }
 
 TEST_P(Bottom, LengthsOfNodesAreThoseOfTheBottom) {
   const Compiled loose(scene_, *mesh_, true);
   double sum = 0.;
-  for (const double length : loose.scene.system.interface->length) {
+  for (const double length : loose.system.interface->length) {
     EXPECT_GT(length, 0.);
     sum += length;
   }
@@ -159,14 +158,13 @@ TEST_P(Bottom, LengthsOfNodesAreThoseOfTheBottom) {
 TEST_P(Bottom, ForcesAtRestCarryTheWeightInWater) {
   const Compiled loose(scene_, *mesh_, true);
   const Vector N = static_normal_forces(loose.resolved, *mesh_, {});
-  ASSERT_EQ(N.size(), loose.scene.system.interface->n_nodes());
+  ASSERT_EQ(N.size(), loose.system.interface->n_nodes());
   EXPECT_GT(N.minCoeff(), 0.);
   // caisson 18 m wide and 16 m high, 9 m of them below water
   const double weight = 9.81 * 18. * (2100. * 16. - 1030. * 9.);
   EXPECT_NEAR(N.sum(), weight, 1e-6 * weight);
   double moment = 0.;
-  for (int i = 0; i < N.size(); ++i)
-    moment += N[i] * loose.scene.system.interface->position[static_cast<std::size_t>(i)];
+  for (int i = 0; i < N.size(); ++i) moment += N[i] * loose.system.interface->position[static_cast<std::size_t>(i)];
   // not zero where one half is refined, as the meshes of both halves then differ
   EXPECT_NEAR(moment, 0., 1e-3 * weight * 18.);
 }
@@ -183,8 +181,7 @@ TEST_P(Bottom, ForcesAtRestCarryStillWaterAtTwoLevels) {
   const double weight = 9.81 * 18. * (2100. * 16. - 1030. * 9.) + more;
   EXPECT_NEAR(N.sum(), weight, 1e-6 * weight);
   double moment = 0.;
-  for (int i = 0; i < N.size(); ++i)
-    moment += N[i] * loose.scene.system.interface->position[static_cast<std::size_t>(i)];
+  for (int i = 0; i < N.size(); ++i) moment += N[i] * loose.system.interface->position[static_cast<std::size_t>(i)];
   EXPECT_NEAR(moment, rho_g * (729. - 216.) / 6. + more * 3., 1e-3 * weight * 18.);
 }
 

@@ -15,7 +15,7 @@ LoadOnCaisson resultant(const Load& load) {
   scene.loads.clear();
   scene.loads["load"] = load;
   const auto mesh = breakwater_mesh(0.5);
-  return Compiled(scene, *mesh).scene.loads_on_caisson.at(0);
+  return Compiled(scene, *mesh).loads_on_caisson.at(0);
 }
 
 Load on_front(LoadKind kind, std::vector<std::array<double, 2>> shape) {
@@ -71,7 +71,7 @@ TEST(Loads, FaceAndPointLoadsOfEqualResultantAreTheSameRightHandSide) {
   scene.loads["point"] = point;
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
-  const auto& loads = compiled.scene.system.loads;
+  const auto& loads = compiled.system.loads;
   EXPECT_LE((loads[0].vector - loads[1].vector).cwiseAbs().maxCoeff(), 1e-12);
 }
 

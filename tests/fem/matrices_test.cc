@@ -36,7 +36,7 @@ TEST_P(Matrices, AreSymmetric) {
   scene.regions["mound"].flow = GetParam();
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
-  for (const SparseMatrix* matrix : {&compiled.scene.system.M, &compiled.scene.system.C, &compiled.scene.system.K}) {
+  for (const SparseMatrix* matrix : {&compiled.system.M, &compiled.system.C, &compiled.system.K}) {
     const SparseMatrix difference = *matrix - SparseMatrix(matrix->transpose());
     EXPECT_LE(difference.coeffs().cwiseAbs().maxCoeff(), round_off * matrix->coeffs().cwiseAbs().maxCoeff());
   }
@@ -47,7 +47,7 @@ TEST_P(Matrices, HaveTheSignsOfTheEnergyLaw) {
   soil.flow = GetParam();
   const auto mesh = column_mesh(5., 8);
   const Compiled compiled(column(soil, triangle(1., 0.1)), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   EXPECT_GE(least_eigenvalue(with_sign(system, system.M)), -round_off);
   EXPECT_GE(least_eigenvalue(with_sign(system, system.C)), -round_off);
   EXPECT_GE(least_eigenvalue(with_sign(system, system.K)), -round_off);

@@ -22,7 +22,7 @@ TEST_P(OpenSides, UniformPrescribedPressureFlowsNowhere) {
   scene.mesh.degree = degree;
   const auto mesh = column_mesh(5., 8);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   ASSERT_EQ(system.n_prescribed, 1);
   Vector pressure = Vector::Zero(system.size());
   for (int i = 0; i < system.size(); ++i)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fem/compile.h"
 #include "scenes.h"
 
 namespace upbead::test {

@@ -118,7 +118,7 @@ TEST(QuasiStatic, RefusesWaterAndWaves) {
 TEST(ALoadOnAWetWall, ActsOnTheWholeWall) {
   const auto mesh = breakwater_mesh(0.5, with_sea());
   const Compiled compiled(sea_scene(), *mesh);
-  const LoadOnCaisson& load = compiled.scene.loads_on_caisson.front();
+  const LoadOnCaisson& load = compiled.loads_on_caisson.front();
   EXPECT_NEAR(load.force_x, 1., 1e-12);
   EXPECT_NEAR(*load.arm(), 8., 1e-9);
 }
@@ -128,7 +128,7 @@ TEST(AForceMeasuredOnTheWall, SwitchesOffTheSeaThereOnly) {
   Scene scene = sea_scene();
   const auto row_of = [&](const char* name) {
     const Compiled compiled(scene, *mesh);
-    return compiled.scene.system.readings[compiled.scene.system.reading(name)].velocity.size();
+    return compiled.system.readings[compiled.system.reading(name)].velocity.size();
   };
   EXPECT_GT(row_of("water_force_front"), 0u);
   const auto both = row_of("water_force");

@@ -30,11 +30,11 @@ TEST(Uplift, OfAUniformPressureIsThatTimesTheWidth) {
   Scene scene = breakwater(triangle(1., 0.1));
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
-  State state = at_rest(compiled.scene.system);
+  State state = at_rest(compiled.system);
   for (int i = 0; i < state.v.size(); ++i)
-    if (compiled.scene.system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse) state.v[i] = 3.;
+    if (compiled.system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse) state.v[i] = 3.;
   const auto value = [&](const char* name) {
-    const System& system = compiled.scene.system;
+    const System& system = compiled.system;
     return evaluate(system.readings[static_cast<std::size_t>(system.reading(name))], state, {0.});
   };
   EXPECT_NEAR(value("uplift"), 3. * 18., 1e-9);

@@ -218,7 +218,7 @@ TEST_P(Flows, BothRoutesToTheShearForceAgree) {
                other = history(compiled, response, "shear_force_by_inertia");
     EXPECT_LE((F - other).cwiseAbs().maxCoeff(), 1e-8 * F.cwiseAbs().maxCoeff());
     EXPECT_LE(response.energy.back().mismatch(), 1e-8);
-    for (const LoadOnCaisson& load : compiled.scene.loads_on_caisson) {
+    for (const LoadOnCaisson& load : compiled.loads_on_caisson) {
       const bool on_it = load.name == "caisson";
       EXPECT_NEAR(load.force_x, on_it ? 16. * 18. : 0., 1e-9) << load.name;
       EXPECT_NEAR(load.moment, on_it ? 8. * 16. * 18. : 0., 1e-7) << load.name;

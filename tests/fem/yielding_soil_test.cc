@@ -33,7 +33,7 @@ PointsOfCells points_of(const CellLaws& laws) {
 
 std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const PointsOfCells& points,
                                        const SoilWork& work = {}) {
-  return yielding_soil(compiled.space, compiled.unknowns, compiled.scene.system.readings, points, work);
+  return yielding_soil(compiled.space, compiled.unknowns, compiled.system.readings, points, work);
 }
 
 std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
@@ -82,7 +82,7 @@ class HalfElastic : public SoilPoint {
 TEST(YieldingSoil, LawOfHalfTheStiffnessTakesHalfOfK) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const CellLaws all = laws(compiled.space, 1e6);
   const PointsOfCells halves = [&](unsigned cell, unsigned) {
     return all[cell] ? std::make_unique<HalfElastic>(all[cell]->elastic()) : nullptr;
@@ -103,7 +103,7 @@ TEST(YieldingSoil, WhatIsNotCommittedIsForgotten) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
   const auto soil = yielding(compiled, laws(compiled.space, gamma_r));
-  const Vector x = 1e-3 * Vector::Random(compiled.scene.system.size()), rest = 0. * x;
+  const Vector x = 1e-3 * Vector::Random(compiled.system.size()), rest = 0. * x;
   Vector first, second, p;
   soil->evaluate(1e-9 * x, p);
   EXPECT_EQ(p.norm(), 0.) << "below yield";
@@ -130,7 +130,7 @@ TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
              three = yielding(compiled, of_cells, by_three);
   Vector p, q, r;
   for (int step = 0; step < 5; ++step) {
-    const Vector x = 1e-3 * Vector::Random(compiled.scene.system.size());
+    const Vector x = 1e-3 * Vector::Random(compiled.system.size());
     points->evaluate(x, p);
     one->evaluate(x, q);
     three->evaluate(x, r);
@@ -166,7 +166,7 @@ TEST(YieldingSoil, CellsThatCannotYieldAreLeftOutWithoutATrace) {
   SoilWork whole;
   whole.skip = false;
   const auto left_out = yielding(compiled, of_cells), all = yielding(compiled, of_cells, whole);
-  const Vector shape = Vector::Random(compiled.scene.system.size());
+  const Vector shape = Vector::Random(compiled.system.size());
   Vector p, q;
   for (int step = 0; step < 12; ++step) {
     const Vector x = 1e-4 * std::sin(step) * shape;
@@ -198,13 +198,13 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
   }
   const PointsOfCells points = [&](unsigned cell, unsigned point) { return of_cells[cell](point); };
   const auto make = [&](const SoilWork& work) {
-    return yielding_soil(space, compiled.unknowns, compiled.scene.system.readings, points, work);
+    return yielding_soil(space, compiled.unknowns, compiled.system.readings, points, work);
   };
   SoilWork whole, by_points;
   whole.skip = false;
   by_points.by_points = true;
   const auto left_out = make({}), all = make(whole), reference = make(by_points);
-  const Vector shape = Vector::Random(compiled.scene.system.size());
+  const Vector shape = Vector::Random(compiled.system.size());
   Vector p, q, r;
   for (int step = 0; step < 8; ++step) {
     const Vector x = 3e-4 * std::sin(step) * shape;
@@ -226,7 +226,7 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
 TEST(YieldingSoil, GoesOnFromACheckpointToTheLastBit) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(3e6, 0.15)), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const CellLaws of_cells = laws(compiled.space, gamma_r);
   for (const bool by_points : {false, true}) {
     SoilWork work;
@@ -268,7 +268,7 @@ struct Answer {
 Answer answer(double force, double strain) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(force, 0.15)), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const auto soil = yielding(compiled, laws(compiled.space, strain));
   const auto scheme = make_yielding_scheme(system, *soil, {1e-9, false});
   const Response response = march(system, *scheme, make_time_grid(kinks(system), 1.5, 0.0075));
@@ -309,11 +309,11 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
     if (all[c->active_cell_index()] && c->point_inside({0.3, 4.7})) cell = c->active_cell_index();
   const PointsOfCells points = points_of(all);
   const dealii::Point<dim> at =
-      yielding_soil(before.space, before.unknowns, before.scene.system.readings, points)->borne()[cell].at(4).at;
+      yielding_soil(before.space, before.unknowns, before.system.readings, points)->borne()[cell].at(4).at;
   scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;  // the probe then follows the law
   scene.probes["inside"].at = {at[0], at[1]};
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   SoilWork work;
   work.followed = followed_readings(compiled.space, compiled.resolved);
   const auto soil = yielding_soil(compiled.space, compiled.unknowns, system.readings, points, work);
@@ -363,7 +363,7 @@ TEST(YieldingSoil, AProbeBetweenThePointsReadsTheirPolynomial) {
   scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;
   scene.probes["off"].at = {0.31, 4.73};
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const std::vector<FollowedReading> read = followed_readings(compiled.space, compiled.resolved);
   const auto points_of_cell = dealii::QGauss<dim>(3).get_points();
   for (const double strain : {1e6, gamma_r}) {
@@ -453,7 +453,7 @@ TEST(YieldingSoil, ColumnUnderAStrongWaveIsThatOfAProgramInOneDimension) {
   scene.probes["top"].at = {0.5, height};
   const auto mesh = column_mesh(height, 40);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const CellLaws all = laws(compiled.space, gamma_r);
   const Cell cell = compiled.space.dofs().begin_active();
   const Reading& top = system.readings[static_cast<std::size_t>(system.reading("probes/top/displacement_y"))];

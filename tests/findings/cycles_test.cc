@@ -193,10 +193,10 @@ TEST(Cycles, HaveTheShearOfStatics) {
   const auto mesh = column_mesh(4., 8);
   const Compiled compiled(scene, *mesh);
   CyclicShear shear(compiled.space, compiled.unknowns);
-  const auto scheme = make_scheme(compiled.scene.system, {});
+  const auto scheme = make_scheme(compiled.system, {});
   MarchOptions options;
   options.observers = {&shear};
-  march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 40., 1.), options);
+  march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), 40., 1.), options);
   const double nu = *scene.regions["soil"].poissons_ratio, expected = 20e3 * (1. - 2. * nu) / (4. * (1. - nu));
   for (const double value : shear.amplitude()) EXPECT_NEAR(value, expected, 0.01 * expected);
   const std::vector<double> memory = shear.memory();

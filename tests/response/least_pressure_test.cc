@@ -23,11 +23,11 @@ TEST(LeastPressure, IsThatOfAllNodesAndSteps) {
   const auto mesh = column_mesh(height, cells);
   const Compiled compiled(scene, *mesh);
   LeastPressure least(compiled.space, compiled.unknowns, compiled.resolved, level);
-  const auto scheme = make_scheme(compiled.scene.system);
+  const auto scheme = make_scheme(compiled.system);
   MarchOptions options;
   options.observers = {&least};
   const Response response =
-      march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 0.1, 0.005), options);
+      march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), 0.1, 0.005), options);
 
   double expected = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= cells; ++i) {
@@ -59,18 +59,17 @@ TEST(LeastPressure, OfAReducedModelIsThatOfTheMarch) {
   EXPECT_NEAR(level, 15., 1e-9);
 
   LeastPressure marched(compiled.space, compiled.unknowns, compiled.resolved, level);
-  const auto scheme = make_scheme(compiled.scene.system);
+  const auto scheme = make_scheme(compiled.system);
   MarchOptions options;
   options.observers = {&marched};
-  march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), scene.time.end, 0.15 / 32.),
-        options);
+  march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), scene.time.end, 0.15 / 32.), options);
 
   ReductionTargets aim;
   aim.pressures = true;
   const Reduction reduction = reduce_scene(compiled.resolved, compiled.scene, aim);
   LeastPressure reduced(compiled.space, compiled.unknowns, compiled.resolved, level);
   ASSERT_TRUE(reduction.pressures);
-  reduced.see(*reduction.pressures, sampled_loads(compiled.resolved, compiled.scene.system), 0.15);
+  reduced.see(*reduction.pressures, sampled_loads(compiled.resolved, compiled.system), 0.15);
   const double still = atmosphere + scene.fluid.density * scene.gravity * (level - marched.place()[1]);
   EXPECT_LT(marched.value(), still - 1e4);
   EXPECT_NEAR(reduced.value(), marched.value(), 0.03 * (still - marched.value()));

@@ -76,7 +76,7 @@ TEST(MeshError, KnowsNoUnitOfTime) {
 TEST(Spectrum, SolvesTheSystem) {
   const auto mesh = breakwater_mesh(0.35);
   const Compiled compiled(breakwater(triangle(1e6, 0.15)), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const int n = system.n_free();
   const std::complex<double> s(10., 40.);
   const Spectrum found = solve_spectrum(compiled.resolved, compiled.scene, std::vector{s});

@@ -29,10 +29,10 @@ std::vector<MobilisedStrength> find(double load, const std::optional<double>& k0
   const Compiled compiled(scene, *mesh);
   const StaticStage rest = solve_static(compiled.resolved, *mesh);
   Mobilisation mobilisation(compiled.space, compiled.unknowns, rest.stress, k0);
-  const auto scheme = make_scheme(compiled.scene.system);
+  const auto scheme = make_scheme(compiled.system);
   MarchOptions options;
   options.observers = {&mobilisation};
-  march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 2., 0.5), options);
+  march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), 2., 0.5), options);
 
   Mobilisation resumed(compiled.space, compiled.unknowns, rest.stress, k0);
   resumed.recall(mobilisation.memory());

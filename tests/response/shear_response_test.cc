@@ -63,7 +63,7 @@ Mismatch told(double pressure, double share) {
   soil.flow = Flow::drained;
   const auto mesh = column_mesh(10., 5);
   const Compiled compiled(column(soil, piecewise_linear({0., 0.1, 0.2}, {0., pressure, 0.})), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   EnergyAccount energy;
   energy.work = energy.largest_work = 1e-3 * possible_work(system, pressure);
   energy.strain = (1. - share) * energy.work;

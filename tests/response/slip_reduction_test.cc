@@ -26,9 +26,7 @@ struct Twins {
         glued(scene, *mesh),
         response(run(glued, end, duration / 32.)) {}
 
-  double peak_shear() const {
-    return response.ends.reading.row(glued.scene.system.reading(reading::shear_force)).maxCoeff();
-  }
+  double peak_shear() const { return response.ends.reading.row(glued.system.reading(reading::shear_force)).maxCoeff(); }
   SlipReduction reduced(double tolerance) const {
     Scene wanted = slipping.resolved;
     wanted.tolerance = tolerance;
@@ -37,7 +35,7 @@ struct Twins {
   /// With N_0 of `safety` times the value that F_T requires to stick.
   CoupledSliding slide(const SlipReduction& reduction, double safety, CoupledHistory* history = nullptr) const {
     const SlipLaw law = slip_law(reduction.system, friction, UpliftKind::computed, {reading::displacement_x});
-    SampledLoads loads = sampled_loads(slipping.resolved, slipping.scene.system);
+    SampledLoads loads = sampled_loads(slipping.resolved, slipping.system);
     for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
       part->conservativeResize(2, Eigen::NoChange);
       part->row(1).setConstant(safety * peak_shear() / friction);

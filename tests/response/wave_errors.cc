@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.h"
 #include "dynamics/answer_error.h"
+#include "response/reduction.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead::test {
@@ -124,7 +125,7 @@ WaveErrors::WaveErrors(const ErrorScene& scene, double steps, double length, uns
       duration_(scene.duration),
       step_(scene.duration / steps),
       n_(static_cast<int>(std::ceil(length * end_ / step_)) + 1),
-      shear_(compiled_.scene.system.reading("shear_force")),
+      shear_(compiled_.system.reading("shear_force")),
       records_({0.1 * end_, length * end_, std::max(0.1, 8. / steps) * duration_, 100. * duration_}, seed) {
   const Stopwatch reducing;
   reduction_ = reduce_scene(compiled_.resolved, compiled_.scene, {true, true, {}});
@@ -132,10 +133,10 @@ WaveErrors::WaveErrors(const ErrorScene& scene, double steps, double length, uns
   reduce_seconds = reducing.seconds();
   const Stopwatch nesting;
   const NestedSpace space{krylov_shift(compiled_.resolved), reduction_.n_vectors, compiled_.scene.body_coordinates};
-  nested_ = nested_models(compiled_.scene.system, space, {shear_});
+  nested_ = nested_models(compiled_.system, space, {shear_});
   nested_seconds = nesting.seconds();
-  kernel_ = discrete_kernel(compiled_.scene.system, {}, 0, {shear_}, 0.5 * step_, 2 * (n_ - 1));
-  coarse_kernel_ = discrete_kernel(compiled_.scene.system, {}, 0, {shear_}, step_, n_ - 1);
+  kernel_ = discrete_kernel(compiled_.system, {}, 0, {shear_}, 0.5 * step_, 2 * (n_ - 1));
+  coarse_kernel_ = discrete_kernel(compiled_.system, {}, 0, {shear_}, step_, n_ - 1);
 }
 
 WaveError WaveErrors::next() {

@@ -7,9 +7,9 @@
 
 #include "discrete_kernel.h"
 #include "random_records.h"
-#include "response/reduction.h"
 #include "scenes.h"
 #include "upbead/dynamics/nested_models.h"
+#include "upbead/dynamics/reduce.h"
 
 namespace upbead::test {
 
@@ -47,7 +47,7 @@ class WaveErrors {
   WaveError next();
   const Reduction& reduction() const { return reduction_; }
   const NestedModels& nested() const { return nested_; }
-  int unknowns() const { return compiled_.scene.system.n_free(); }
+  int unknowns() const { return compiled_.system.n_free(); }
   double reduce_seconds = 0., nested_seconds = 0.;
 
  private:

@@ -58,7 +58,7 @@ Vector static_answer(const System& system) {
 LongMarch march_long(SchemeKind kind, bool wet, int steps) {
   const Compiled compiled =
       sand_column(wet, wet, TimeFunction({0.}, {[](double) { return 0.; }, [](double) { return 1e4; }}));
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const Vector answer = 1e4 * static_answer(system);
   const double size = along(system, answer, answer), h = 0.01;
   // Rayleigh's quotient of the static displacement: the frequency of the slowest mode to a few per cent
@@ -88,7 +88,7 @@ std::vector<double> steady_state_errors(SchemeKind kind, int halvings) {
   const double omega = 2. * pi * 8., period = 2. * pi / omega;
   const Compiled compiled = sand_column(
       false, true, TimeFunction({0.}, {[](double) { return 0.; }, [omega](double t) { return std::sin(omega * t); }}));
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   SecondOrderKrylov krylov(system, omega);
   while (krylov.extend()) continue;
   const Projection projection(system, krylov);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fem/compile.h"
 #include "fem/scene_check.h"
 #include "response/shear_response.h"
 
@@ -103,17 +104,31 @@ static Scene whole(Scene scene) {
   return scene;
 }
 
+struct Compiled::Parts {
+  explicit Parts(AssembledScene made)
+      : space(std::move(made.space)), unknowns(std::move(made.unknowns)), scene(*made.compiled) {}
+  std::shared_ptr<const Space> space;
+  std::shared_ptr<const Unknowns> unknowns;
+  CompiledScene scene;
+};
+
 Compiled::Compiled(const Scene& input, const Mesh& mesh, bool interface)
     : Compiled(resolve(whole(input), mesh), mesh, interface) {}
 
 Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh, bool interface)
-    : resolved(input.scene), parts(assemble_scene(resolved, mesh, input.absent, input.soil, interface)) {}
+    : resolved(input.scene),
+      parts(std::make_shared<Parts>(assemble_scene(resolved, mesh, input.absent, input.soil, interface))),
+      space(*parts->space),
+      unknowns(*parts->unknowns),
+      scene(parts->scene),
+      system(scene.system),
+      loads_on_caisson(scene.loads_on_caisson) {}
 
 Response run(const Compiled& compiled, double end, double step, SchemeKind kind) {
   SchemeOptions options;
   options.kind = kind;
-  const auto scheme = make_scheme(compiled.scene.system, options);
-  return march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), end, step));
+  const auto scheme = make_scheme(compiled.system, options);
+  return march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), end, step));
 }
 
 ShearResponse shear_of(const Compiled& compiled, const Response& response) {
@@ -125,7 +140,7 @@ std::vector<Diagnostic> mistakes(const Scene& scene, const Mesh& mesh) {
 }
 
 Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading) {
-  return response.ends.reading.row(compiled.scene.system.reading(reading));
+  return response.ends.reading.row(compiled.system.reading(reading));
 }
 
 }  // namespace upbead::test

@@ -5,14 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "fem/compile.h"
 #include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
+#include "upbead/dynamics/time_grid.h"
+#include "upbead/fem/load_on_caisson.h"
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/response/findings.h"
+#include "upbead/system/system.h"
 
-namespace upbead::test {
+namespace upbead {
+
+class Space;
+class Unknowns;
+struct CompiledScene;
+
+namespace test {
 
 /// A triangle of that peak, duration and rise (half the duration where none is given), starting at t = 0.
 TimeFunction triangle(double peak, double duration, double rise = 0.);
@@ -35,16 +43,18 @@ std::unique_ptr<Mesh> breakwater_mesh(double cells, std::map<std::string, double
 /// Its parameters with a sea of three depths on both sides.
 std::map<std::string, double> with_sea();
 
-/// A scene compiled on a mesh, together with the objects that it refers to; with an interface under the caisson if
-/// asked for.
+/// A scene compiled on a mesh; with an interface under the caisson if asked for. Copies share all but `resolved`.
 struct Compiled {
   Compiled(const Scene& scene, const Mesh& mesh, bool interface = false);
   Compiled(const ResolvedScene& scene, const Mesh& mesh, bool interface = false);
   Scene resolved;
-  AssembledScene parts;
-  const Space& space = *parts.space;
-  const Unknowns& unknowns = *parts.unknowns;
-  CompiledScene scene = *parts.compiled;
+  struct Parts;
+  std::shared_ptr<Parts> parts;
+  const Space& space;        ///< of fem/space.h, as the next two of their headers
+  const Unknowns& unknowns;  ///< fem/unknowns.h
+  CompiledScene& scene;      ///< fem/compile.h
+  System& system;            ///< of `scene`, as the next one
+  const std::vector<LoadOnCaisson>& loads_on_caisson;
 };
 
 /// Marches from rest with steps of at most `step`.
@@ -59,4 +69,5 @@ std::vector<Diagnostic> mistakes(const Scene& scene, const Mesh& mesh);
 /// The history of one reading at the ends of the steps.
 Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading);
 
-}  // namespace upbead::test
+}  // namespace test
+}  // namespace upbead

@@ -9,7 +9,7 @@ namespace {
 
 /// The system with its forces at rest.
 System at_rest_on(const Mesh& mesh, double mu, const Compiled& compiled) {
-  System system = compiled.scene.system;
+  System system = compiled.system;
   system.interface->friction = mu;
   system.interface->normal_force = static_normal_forces(compiled.resolved, mesh, {});
   return system;

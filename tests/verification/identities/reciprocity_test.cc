@@ -11,6 +11,7 @@
 #include <random>
 
 #include "column_case.h"
+#include "fem/unknowns.h"
 #include "record.h"
 #include "scenes.h"
 #include "unknowns_on.h"
@@ -38,7 +39,7 @@ TEST(Reciprocity, OfForcesAtTwoPlaces) {
   const auto on_bed = unknowns_on(compiled, "bed", 1), on_mound = unknowns_on(compiled, "mound_surface", 0);
   const int a = on_bed[on_bed.size() / 3], b = on_mound[on_mound.size() / 2];
   const int sway = compiled.unknowns.coordinate(0, motion_x);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   Record record("identities");
   record.at_most("reciprocity of a force on the bed and one on the mound",
                  largest_difference(moved_at(system, a, b), moved_at(system, b, a)), tolerance);
@@ -54,7 +55,7 @@ TEST(TimeReversal, ReturnsToTheStart) {
   }
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const auto scheme = make_scheme(system, {SchemeKind::generalised_alpha, 1.});
   State state = march(system, *scheme, make_time_grid(kinks(system), 0.2, 0.005)).final_state;
   const State start = state;
@@ -100,10 +101,10 @@ TEST(Numbering, DoesNotMatter) {
     const auto scheme = make_scheme(system, {});
     return march(system, *scheme, make_time_grid(kinks(system), 0.5, 0.0125)).ends.reading;
   };
-  const Eigen::MatrixXd one = histories(compiled.scene.system), other = histories(renumbered(compiled.scene.system));
+  const Eigen::MatrixXd one = histories(compiled.system), other = histories(renumbered(compiled.system));
   Record record("identities");
   for (const char* reading : {"shear_force", "caisson/displacement_x", "probes/sand/pressure"}) {
-    const int row = compiled.scene.system.reading(reading);
+    const int row = compiled.system.reading(reading);
     record.at_most(std::string("another numbering of the unknowns: ") + reading,
                    largest_difference(one.row(row), other.row(row)), tolerance);
   }

@@ -69,7 +69,7 @@ TEST_F(StepChoiceOfBreakwater, PeriodIsThatOfTheLoadItself) {
     Scene scene = breakwater(triangle(1e6, 0.15));
     scene.loads["impulse"].shape = {{6., intensity[0]}, {22., intensity[1]}};
     const Compiled compiled(scene, *mesh_);
-    const System& system = compiled.scene.system;
+    const System& system = compiled.system;
     const double s = std::acos(-1.) / 0.15, mass = compiled.scene.caisson->body.mass;
     ASSERT_EQ(system.n_prescribed, 0);
     const Vector x = Factorisation(s * s * system.M + s * system.C + system.K, system.blocks)
@@ -140,7 +140,7 @@ TEST(ConsolidationSteps, DaysTakeFewStepsAndAgreeWithFineOnes) {
   const Scene scene = consolidation();
   const auto mesh = column_mesh(10., 10);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const StepChoice choice = choose_step(scene, compiled.scene, 4);
   const auto settle = [&](double end, double step, const std::optional<StepGrowth>& growth, int* n_steps) {
     const auto scheme = make_scheme(system);

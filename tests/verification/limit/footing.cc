@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
+#include "fem/unknowns.h"
 #include "footing_mesh.h"
 #include "mesh/refine.h"
 #include "scenes.h"

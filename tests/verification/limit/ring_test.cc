@@ -74,7 +74,7 @@ class Ring {
   }
   StaticReport push(double from, double to, double least) {
     StaticPath path;
-    path.load = [&](double p) -> Vector { return p * compiled_.scene.system.loads[0].vector; };
+    path.load = [&](double p) -> Vector { return p * compiled_.system.loads[0].vector; };
     StaticSteps steps;
     steps.from = from;
     steps.to = to;
@@ -84,7 +84,7 @@ class Ring {
     return march_static(soil_, path, steps, x_);
   }
   double displacement(const std::string& probe) const {
-    const System& system = compiled_.scene.system;
+    const System& system = compiled_.system;
     double sum = 0.;
     for (const auto& [i, weight] :
          system.readings[static_cast<std::size_t>(system.reading("probes/" + probe + "/displacement_x"))].position)

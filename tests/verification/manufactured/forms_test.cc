@@ -71,8 +71,8 @@ double split_error(const Manufactured& mms) {
   const double t = 0.0777;
   const Vector exact = source(problem.compiled, mms, t);
   Vector sum = Vector::Zero(exact.size());
-  for (const SystemLoad& load : problem.compiled.scene.system.loads) sum += load.history(t) * load.vector;
-  return largest_ratio(problem.compiled.scene.system, sum - exact, {exact});
+  for (const SystemLoad& load : problem.compiled.system.loads) sum += load.history(t) * load.vector;
+  return largest_ratio(problem.compiled.system, sum - exact, {exact});
 }
 
 void check(const std::string& problem, const std::vector<Solution>& solutions) {

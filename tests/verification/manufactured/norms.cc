@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "fem/unknowns.h"
 #include "record.h"
 
 namespace upbead::test {

@@ -30,7 +30,7 @@ double nodal_error(const System& system, Field field, const Vector& computed, co
 
 /// |M x'' + C x' + K x - F| over the largest of its terms, the worst of u and phi.
 double residual(const Problem& problem, const State& exact) {
-  const System& system = problem.compiled.scene.system;
+  const System& system = problem.compiled.system;
   const Vector M = system.M * exact.a, C = system.C * exact.v, K = system.K * exact.x;
   const Vector F = source(problem.compiled, problem.mms, exact.time);
   return largest_ratio(system, M + C + K - F, {M, C, K, F});
@@ -43,7 +43,7 @@ void patch(int degree) {
   for (const Quads quads : {Quads::uniform, Quads::perturbed, Quads::trapezoid}) {
     const auto mesh = quadrilaterals(mms, quads, 2.5);
     const Problem problem(mms, *mesh);
-    const System& system = problem.compiled.scene.system;
+    const System& system = problem.compiled.system;
     const State exact = exact_state(problem.compiled, mms, mms.end);
     const State computed = marched(problem, mms.end, 3200);
     for (const double t : {0., 0.5 * mms.end, mms.end})

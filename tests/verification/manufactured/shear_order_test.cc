@@ -55,7 +55,7 @@ class Breakwater {
 
   /// Order of the error of a reading, at the ends of steps or where the scheme is balanced.
   double order_of(const std::string& reading, SchemeKind scheme, bool balanced = false) {
-    const int row = compiled_.scene.system.reading(reading);
+    const int row = compiled_.system.reading(reading);
     const Eigen::RowVectorXd exact = reference_.ends.reading.row(row);
     std::vector<double> error;
     for (const Response& response : responses(scheme)) {

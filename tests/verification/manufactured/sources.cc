@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/unknowns.h"
+
 namespace upbead::test {
 
 using namespace dealii;
@@ -109,7 +111,7 @@ std::vector<SystemLoad> source_loads(const Compiled& compiled, const Manufacture
 State exact_state(const Compiled& compiled, const Manufactured& mms, double t) {
   static const char* const names[][3] = {
       {"ux", "ux_t", "ux_tt"}, {"uy", "uy_t", "uy_tt"}, {"Wx", "Wx_t", "Wx_tt"}, {"Wy", "Wy_t", "Wy_tt"}};
-  State state = at_rest(compiled.scene.system);
+  State state = at_rest(compiled.system);
   state.time = t;
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : compiled.space.dofs().active_cell_iterators()) {
@@ -132,14 +134,14 @@ State exact_state(const Compiled& compiled, const Manufactured& mms, double t) {
 }
 
 Problem::Problem(const Manufactured& solution, const Mesh& mesh) : mms(solution), compiled(solution.scene, mesh) {
-  compiled.scene.system.loads = source_loads(compiled, mms);
+  compiled.system.loads = source_loads(compiled, mms);
 }
 
 State marched(const Problem& problem, double end, int steps, SchemeKind kind) {
   SchemeOptions options;
   options.kind = kind;
   options.account_energy = false;
-  const auto scheme = make_scheme(problem.compiled.scene.system, options);
+  const auto scheme = make_scheme(problem.compiled.system, options);
   State state = exact_state(problem.compiled, problem.mms, 0.);
   scheme->start(state);
   for (int i = 0; i < steps; ++i) {

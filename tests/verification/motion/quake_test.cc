@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/compile.h"
 #include "layer.h"
 #include "record.h"
 #include "reference.h"

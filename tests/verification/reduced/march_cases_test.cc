@@ -134,7 +134,7 @@ TEST(ReducedMarch, EveryLoadAlone) {
   scene.loads["uplift"] = uplift;
   const auto mesh = breakwater_mesh(density_of_cells, with_sea());
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const Reduction reduction = reduce_scene(compiled.resolved, compiled.scene, {true, true, {}});
   ASSERT_TRUE(reduction.converged);
   EXPECT_EQ(reduction.n_independent_loads, 3);

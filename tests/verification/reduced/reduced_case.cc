@@ -49,7 +49,7 @@ void compare(Record& record, const std::string& what, const Scene& scene, const 
   const Reduction reduction = reduce_scene(compiled.resolved, compiled.scene, {true, false, {}});
   ASSERT_TRUE(reduction.converged) << what;
   if (step == 0.) step = shortest_duration(scene) / 64.;
-  write_down(record, what, error_against(reduction.model, compiled.scene.system, scene.time.end, step), limits);
+  write_down(record, what, error_against(reduction.model, compiled.system, scene.time.end, step), limits);
   record.measured(what + ": error that the model states", reduction.error.history);
   record.measured(what + ": vectors per load",
                   reduction.n_vectors / static_cast<double>(reduction.n_independent_loads));

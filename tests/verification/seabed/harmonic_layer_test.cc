@@ -73,7 +73,7 @@ struct Amplitudes {
 
 Amplitudes computed(const Mesh& mesh, const Json& input, const Model& model) {
   const Compiled compiled(layer(input, model), mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const FrequencyResponse response(system, input.at("omega"));
   const std::vector<Complex> load{input.at("q").get<double>()};
   const ComplexVector x = response(load);

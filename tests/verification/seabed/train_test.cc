@@ -66,7 +66,7 @@ struct Found {
 Found respond(const WaveSeabed& seabed, TrainCourse course) {
   const auto mesh = stretch(seabed);
   const Compiled compiled(bed_of(seabed, course), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const FrequencyResponse response(system, seabed.omega);
   const Complex sine = course == TrainCourse::landward ? Complex(0., -1.) : Complex(0., 1.);
   std::vector<Complex> load;

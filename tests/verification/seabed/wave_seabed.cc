@@ -88,7 +88,7 @@ WaveSeabed wave_seabed(const Json& entry, const std::string& model) {
 SeabedResponse respond(const WaveSeabed& seabed, const SeabedMesh& sizes) {
   const auto mesh = mesh_of(seabed, sizes);
   const Compiled compiled(scene_of(seabed, sizes.degree), *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const FrequencyResponse response(system, seabed.omega);
   const std::vector<Complex> load(system.loads.size(), 1.);  // total stress and pore pressure of the wave
   const ComplexVector x = response(load);

@@ -67,7 +67,7 @@ TEST(Skips, WaterThatTouchesNothing) {
   const Compiled without(resolved, *mesh);
   resolved.absent.clear();
   const Compiled with(resolved, *mesh);
-  EXPECT_LT(without.scene.system.size(), with.scene.system.size());
+  EXPECT_LT(without.system.size(), with.system.size());
   const auto peak = [](const Compiled& compiled) { return shear_of(compiled, run(compiled, 0.3, 0.0125)).peak_shear; };
   EXPECT_NEAR(peak(without), peak(with), 1e-9 * peak(with));
 }
@@ -77,10 +77,10 @@ TEST(Skips, TheEndOnceLittleEnergyIsLeft) {
   const auto mesh = breakwater_mesh(0.5, with_sea());
   const Compiled compiled(scene, *mesh);
   const auto marched = [&](double share) {
-    const auto scheme = make_scheme(compiled.scene.system, {});
+    const auto scheme = make_scheme(compiled.system, {});
     MarchOptions options;
     options.stop_at_energy = share;
-    return march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 6., 0.0125), options);
+    return march(compiled.system, *scheme, make_time_grid(kinks(compiled.system), 6., 0.0125), options);
   };
   const Response whole = marched(0.), cut = marched(0.3);
   EXPECT_TRUE(cut.stopped_early);
@@ -93,10 +93,10 @@ TEST(Skips, ReadingsThatNobodyAskedFor) {
   Scene scene = section_scene(true, 0.15);
   const auto mesh = breakwater_mesh(0.5, with_sea());
   const Compiled bare(scene, *mesh);
-  for (const Reading& reading : bare.scene.system.readings) EXPECT_NE(reading.name.group, "probes");
+  for (const Reading& reading : bare.system.readings) EXPECT_NE(reading.name.group, "probes");
   scene.probes["A"].at = {0., -5.};
   const Compiled probed(scene, *mesh);
-  EXPECT_GT(probed.scene.system.readings.size(), bare.scene.system.readings.size());
+  EXPECT_GT(probed.system.readings.size(), bare.system.readings.size());
   EXPECT_EQ(history(bare, run(bare, 0.3, 0.0125), "shear_force"),
             history(probed, run(probed, 0.3, 0.0125), "shear_force"));
 }
@@ -108,9 +108,9 @@ TEST(Skips, FactorisationsOfAStepSizeItHas) {
   for (const SchemeKind kind : {SchemeKind::sdirk4, SchemeKind::generalised_alpha}) {
     SchemeOptions options;
     options.kind = kind;
-    const auto scheme = make_scheme(compiled.scene.system, options);
-    const TimeGrid grid = make_time_grid(kinks(compiled.scene.system), 0.5, 0.0125);
-    march(compiled.scene.system, *scheme, grid);
+    const auto scheme = make_scheme(compiled.system, options);
+    const TimeGrid grid = make_time_grid(kinks(compiled.system), 0.5, 0.0125);
+    march(compiled.system, *scheme, grid);
     EXPECT_EQ(scheme->n_factorisations(), grid.n_step_sizes());
   }
 }

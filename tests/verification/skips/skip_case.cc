@@ -15,7 +15,7 @@ Solved solve(const Scene& scene, const Mesh& mesh, double duration) {
   const ResolvedScene resolved = resolve(scene, mesh);
   const Compiled compiled(resolved, mesh);
   const Response response = run(compiled, scene.time.end, duration / 12.);
-  return {shear_of(compiled, response), compiled.scene.system.n_free(), resolved.decisions};
+  return {shear_of(compiled, response), compiled.system.n_free(), resolved.decisions};
 }
 
 std::string decided(const Solved& solved, const std::string& region, const std::string& key) {

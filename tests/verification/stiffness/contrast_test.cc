@@ -19,6 +19,7 @@
 
 #include "algebra/factorisation.h"
 #include "dynamic_stiffness.h"
+#include "fem/unknowns.h"
 #include "loaded_layer.h"
 #include "tensor_mesh.h"
 
@@ -45,7 +46,7 @@ double relative_residual(const SparseMatrix& K, const Vector& x, const Vector& b
 }
 
 Solved solve(const Compiled& compiled) {
-  const SparseMatrix& K = compiled.scene.system.K;
+  const SparseMatrix& K = compiled.system.K;
   const Factorisation factors(K);
   Solved out{Eigen::Matrix3d::Zero(), 0.};
   Eigen::Matrix3d compliance;

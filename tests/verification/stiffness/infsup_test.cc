@@ -59,7 +59,7 @@ Undrained undrained(const Json& test, int degree, int n) {
   add_probes(scene, test, layer, n);
   const auto mesh = even_layer_mesh(layer, n);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const State end = run(compiled, 2., 1.).final_state;
   const auto read = [&](const std::string& prefix, const std::string& quantity) {
     std::vector<double> values;
@@ -160,7 +160,7 @@ double infsup_number(int degree, int n) {
   scene.mesh.degree = degree;
   const auto mesh = layer_mesh(layer, even_lines(0., 3., 3 * n), even_lines(-3., 0., 3 * n));
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const Field u = Field::displacement, phi = Field::pressure_impulse;
   const Eigen::SparseMatrix<double> B = block(system.C, system.field, phi, u), A = block(system.K, system.field, u, u);
   const Eigen::MatrixXd M_p = -Eigen::MatrixXd(block(system.M, system.field, phi, phi));

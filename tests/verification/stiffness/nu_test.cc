@@ -37,7 +37,7 @@ Settlements settle(double nu, double depth, int degree, int n) {
   add_probes_on_surface(scene, "surface", points);
   const auto mesh = even_layer_mesh({1., depth}, n);
   const Compiled compiled(scene, *mesh);
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const Vector& load = system.loads.front().vector;  // its sum is -q b = -1
   State state = at_rest(system);
   state.x = Factorisation(system.K).solve(load);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/unknowns.h"
 #include "frequency_response.h"
 #include "tensor_mesh.h"
 
@@ -135,7 +136,7 @@ StiffnessCells cells_for(const ElasticSoil& soil, double a0) {
 }
 
 Stiffness computed_stiffness(const Compiled& compiled, double a0) {
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   const FrequencyResponse response(system, a0);
   Stiffness compliance;
   for (int load = 0; load < n_motions; ++load) {

@@ -63,8 +63,8 @@ TEST_P(StripConsolidation, PressuresAndSettlements) {
   add_probes_on_surface(scene, "surface", x);
   const auto mesh = graded_layer_mesh({entry.at("b"), entry.at("H"), 8.}, 0.1, 1.3, 1.25);
   const Compiled compiled(scene, *mesh);
-  const auto scheme = make_scheme(compiled.scene.system, {});
-  const Response response = march(compiled.scene.system, *scheme, steps_through(t));
+  const auto scheme = make_scheme(compiled.system, {});
+  const Response response = march(compiled.system, *scheme, steps_through(t));
 
   const auto p = compare(compiled, response, "axis", "/pressure", 1., entry.at("p_centreline"), t);
   const auto u = compare(compiled, response, "surface", "/displacement_y", -1., entry.at("u_z_surface"), t);

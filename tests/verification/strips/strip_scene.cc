@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fem/space.h"
+#include "fem/unknowns.h"
 #include "tensor_mesh.h"
 #include "unknowns_on.h"
 
@@ -120,12 +122,12 @@ StripModel::StripModel(const StripCaisson& caisson, const std::vector<Layer>& la
     : caisson_(caisson),
       mesh_(strip_mesh(caisson.half_base, layers, cells)),
       compiled_(strip_scene(caisson, layers, fluid, cells.degree), *mesh_) {
-  hold(compiled_.scene.system, unknowns_on(compiled_, "middle", 1));  // u_y, also that of the caisson: its heave
-  compiled_.scene.system.readings.push_back(pressure_moment(compiled_));
+  hold(compiled_.system, unknowns_on(compiled_, "middle", 1));  // u_y, also that of the caisson: its heave
+  compiled_.system.readings.push_back(pressure_moment(compiled_));
 }
 
 void StripModel::march_ramp(double end, double step) {
-  System& system = compiled_.scene.system;
+  System& system = compiled_.system;
   system.loads.front().history = TimeFunction({0.}, {[](double) { return 0.; }, [](double t) { return 0.5 * t; }});
   SchemeOptions options;
   options.account_energy = false;
@@ -145,7 +147,7 @@ Response StripModel::triangle_response(double duration) const {
 }
 
 StripHistory StripModel::under_triangle(double duration) {
-  compiled_.scene.system.loads.front().history = triangle(0.5, duration);
+  compiled_.system.loads.front().history = triangle(0.5, duration);
   const Response response = triangle_response(duration);
   const auto read = [&](const char* name) { return history(compiled_, response, name); };
   StripHistory out;

@@ -65,7 +65,7 @@ class StripModel {
   void march_ramp(double end, double step);
   /// The response to a symmetric triangle of that duration (s), an even number of steps.
   StripHistory under_triangle(double duration);
-  int n_unknowns() const { return compiled_.scene.system.size(); }
+  int n_unknowns() const { return compiled_.system.size(); }
 
  private:
   Response triangle_response(double duration) const;

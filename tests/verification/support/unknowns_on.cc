@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fem/unknowns.h"
+
 namespace upbead::test {
 
 namespace {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "column_case.h"
+#include "fem/unknowns.h"
 #include "without.h"
 
 namespace upbead::test {
@@ -63,7 +64,7 @@ System in_plane_shear(const Compiled& compiled) {
   std::vector<int> gone = unknowns_of(compiled, 1);
   if (compiled.space.has_pores(compiled.space.dofs().begin_active()))
     for (const int i : unknowns_of(compiled, phi_component)) gone.push_back(i);
-  return without(compiled.scene.system, gone);
+  return without(compiled.system, gone);
 }
 
 /// A reading and its values at the ends of the steps.
@@ -83,7 +84,7 @@ std::vector<History> histories(const Hit& hit, double height, double total, doub
       });
   const Compiled compiled(scene_of(hit, total - 20.5 * total / cells), *mesh);
   const bool shear = hit.wave == Wave::shear;
-  const System system = shear ? in_plane_shear(compiled) : compiled.scene.system;
+  const System system = shear ? in_plane_shear(compiled) : compiled.system;
   SchemeOptions options;
   options.account_energy = false;
   const auto scheme = make_scheme(system, options);

@@ -108,7 +108,7 @@ TEST(EveryKind, MatricesAreSymmetric) {
     Scene scene = everything(Compressibility::compressible);
     scene.mesh.degree = degree;
     const Compiled compiled(scene, *mesh);
-    const System& system = compiled.scene.system;
+    const System& system = compiled.system;
     for (const auto& [name, matrix] : {std::pair{"M", &system.M}, {"C", &system.C}, {"K", &system.K}}) {
       const std::string title = "degree " + std::to_string(degree) + ", " + name;
       record.at_most(title + ": largest abs(a_ij - a_ji) over the largest entry", asymmetry(*matrix), 1e-13);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <set>
 
+#include "fem/unknowns.h"
 #include "record.h"
 #include "unknowns_on.h"
 
@@ -52,7 +53,7 @@ void check_uniform_pressure(Record& record, const std::string& title, const Scen
   const double depth = 15., width = 18., dry_bed = 2. * (120. + 28. - 9. - 3. * depth);
   const auto mesh = section_with_seas();
   const Compiled compiled(scene, *mesh);
-  const Vector force = forces_of_unit_pressure(compiled.scene.system);
+  const Vector force = forces_of_unit_pressure(compiled.system);
   const auto on_caisson = [&](int motion) { return force[compiled.unknowns.coordinate(0, motion)]; };
   record.at_most(title + ": horizontal force on the caisson, over p h", std::abs(on_caisson(motion_x)) / depth, 1e-12);
   record.at_most(title + ": moment on it about its centre of gravity, over p h^2",

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/unknowns.h"
 #include "frequency_response.h"
 #include "tensor_mesh.h"
 #include "without.h"
@@ -66,7 +67,7 @@ Reservoir::Reservoir(const ReservoirShape& shape, const Fluid& fluid, const std:
       wall_centre_(0.5 * shape.depth) {}
 
 System Reservoir::with_readings() const {
-  System system = compiled_->scene.system;
+  System system = compiled_->system;
   const int x = compiled_->unknowns.coordinate(0, motion_x), turn = compiled_->unknowns.coordinate(0, motion_rotation);
   const Row force = row_of(system.C, x, -1.);  // C x' is the force of the wall on the water
   Row moment = row_of(system.C, turn, -1.);    // about the wall's middle

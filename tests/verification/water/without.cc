@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fem/unknowns.h"
+
 namespace upbead::test {
 
 namespace {

@@ -111,7 +111,7 @@ TEST_P(Squeezed, FailsAtItsUndrainedAndDrainedStrength) {
     const auto law = std::make_shared<const MohrCoulombLaw>(
         elastic_law(*region.shear_modulus, *region.poissons_ratio),
         MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, 0.});
-    const PointsOfCells isotropic = [points = mohr_coulomb_points(law, {{-p0, -p0, 0., -p0}})](unsigned, unsigned q) {
+    const SoilPoints isotropic = [points = mohr_coulomb_points(law, {{-p0, -p0, 0., -p0}})](unsigned, unsigned q) {
       return points(q);
     };
     const YieldingMarch found(scene, *mesh, end, step, isotropic, 1e-8);

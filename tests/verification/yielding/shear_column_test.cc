@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/soil_laws.h"
+#include "fem/unknowns.h"
 #include "material/few_elements.h"
 #include "reference.h"
 #include "shear_column.h"

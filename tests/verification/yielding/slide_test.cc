@@ -93,7 +93,7 @@ void compare_with_exact(const Pulse& pulse) {
   const auto law =
       std::make_shared<const MohrCoulombLaw>(elastic_law(G, 0.3), MohrCoulombStrength{0., pulse.strength, 0., 1e6});
   // under compression, so that it does not part
-  const PointsOfCells pressed = [points = mohr_coulomb_points(law, {{-98e3, -98e3, 0., -98e3}})](unsigned, unsigned q) {
+  const SoilPoints pressed = [points = mohr_coulomb_points(law, {{-98e3, -98e3, 0., -98e3}})](unsigned, unsigned q) {
     return points(q);
   };
   const double rigid = exact_slide(pulse), spring = slide_on_spring(pulse);

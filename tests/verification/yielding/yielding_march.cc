@@ -1,20 +1,25 @@
 #include "yielding_march.h"
 
+#include "dynamics/yielding.h"
+#include "fem/compile.h"
+#include "fem/soil_laws.h"
+#include "fem/yielding_soil.h"
+
 namespace upbead::test {
 
 namespace {
 
-PointsOfCells laws_at_rest(const Compiled& compiled, const Mesh& mesh) {
+SoilPoints laws_at_rest(const Compiled& compiled, const Mesh& mesh) {
   const RestStart start = compiled.resolved.initial ? compiled.resolved.initial->start : RestStart::k0;
   return soil_laws(compiled.resolved, compiled.space, solve_static(compiled.resolved, mesh).stress, start).points;
 }
 
 }  // namespace
 
-YieldingMarch::YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const PointsOfCells& points,
+YieldingMarch::YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const SoilPoints& points,
                              double tolerance)
     : compiled(scene, mesh) {
-  const System& system = compiled.scene.system;
+  const System& system = compiled.system;
   SoilWork work;
   work.followed = followed_readings(compiled.space, compiled.resolved);
   soil = yielding_soil(compiled.space, compiled.unknowns, system.readings,
@@ -29,7 +34,7 @@ Eigen::RowVectorXd YieldingMarch::history(const std::string& reading) const {
 
 double YieldingMarch::routes() const {
   const auto row = [this](const char* name) {
-    return response.balanced.reading.row(compiled.scene.system.reading(name)).eval();
+    return response.balanced.reading.row(compiled.system.reading(name)).eval();
   };
   const auto shear = row("shear_force"), other = row("shear_force_by_inertia");
   return (shear - other).cwiseAbs().maxCoeff() / shear.cwiseAbs().maxCoeff();

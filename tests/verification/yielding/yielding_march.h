@@ -1,23 +1,30 @@
 // Scenes on soil that yields, marched.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
-#include "dynamics/yielding.h"
-#include "fem/soil_laws.h"
 #include "record.h"
 #include "scenes.h"
 
-namespace upbead::test {
+namespace upbead {
+
+class SoilPoint;
+class YieldingSoil;
+
+namespace test {
+
+/// As PointsOfCells of fem/yielding_soil.h.
+using SoilPoints = std::function<std::unique_ptr<SoilPoint>(unsigned cell, unsigned point)>;
 
 struct YieldingMarch {
   /// The soil's laws are those of the scene at rest, or `points` if they are given.
-  YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const PointsOfCells& points = {},
+  YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const SoilPoints& points = {},
                 double tolerance = 1e-9);
 
   Compiled compiled;
-  std::unique_ptr<YieldingSoil> soil;
+  std::shared_ptr<YieldingSoil> soil;
   Response response;
 
   Eigen::RowVectorXd history(const std::string& reading) const;
@@ -29,4 +36,5 @@ struct YieldingMarch {
 /// Every soil of a breakwater gets a law and a strength (degrees, Pa); still water at 15 m.
 void give_law(Scene& breakwater, SoilLaw law, double friction_angle, double cohesion);
 
-}  // namespace upbead::test
+}  // namespace test
+}  // namespace upbead
