@@ -120,6 +120,7 @@ std::vector<std::pair<double, std::string>> FieldOutput::written() const {
 }
 
 void FieldOutput::take_over(const std::string& from, const std::vector<std::pair<double, std::string>>& written) {
+  if (folder_ == nullptr) return;
   for (const auto& [time, name] : written) lay(fs::path(from) / name, folder_->path(name));
   taken_over_ = written;
 }
@@ -152,17 +153,13 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
 }
 
 void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
-  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.system().size()) return;
+  if (!found_ || found_->march.so_far.final_state.x.size() == whole_size(simulation.system())) return;
   throw InputError(
       input.place("time.end"),
       "with this end the scene has other unknowns than the run that was interrupted: cells that no wave "
       "reaches, and flow = \"auto\" of pore water, follow from the end",
       "give the former end, or begin from the start, with mesh.full_domain = true and flow of every region "
       "where another end is to be taken up");
-}
-
-bool Checkpoints::due() const {
-  return interrupt_noted() || since_last_.seconds() > wish_.every;
 }
 
 /// Keeps a checkpoint; where it cannot be written, the run goes on.
@@ -180,11 +177,11 @@ void Checkpoints::keep(const MarchCheckpoint& march, const FieldOutput& fields) 
   since_last_ = Stopwatch();
 }
 
-Checkpointing Checkpoints::begin(FieldOutput& fields) {
+Checkpointing Checkpoints::begin(FieldOutput& fields, bool writes) {
   Checkpointing options;
   if (wish_.every > 0.) {
-    options.due = [this] { return due(); };
-    options.keep = [this, &fields](const MarchCheckpoint& march) { keep(march, fields); };
+    options.due = [this, writes] { return interrupt_noted() || (writes && since_last_.seconds() > wish_.every); };
+    if (writes) options.keep = [this, &fields](const MarchCheckpoint& march) { keep(march, fields); };
   }
   if (found_) {
     fields.take_over(folder_, found_->fields);

@@ -65,9 +65,9 @@ class Checkpoints {
   /// version of the program, or is damaged.
   Checkpoints(const Case& input, const std::string& results, const CheckpointWish& wish);
 
-  /// Starts the checkpoints of a march, and takes over the fields that have been written. `fields` and this must
-  /// outlive the march.
-  Checkpointing begin(FieldOutput& fields);
+  /// Starts the checkpoints of a march, and takes over the fields that have been written. `writes`: of several
+  /// processes the first one alone. `fields` and this must outlive the march.
+  Checkpointing begin(FieldOutput& fields, bool writes);
   /// Throws InputError where the march to resume was of fewer cells, as those that no wave reaches until its end.
   void require_fit(const Case& input, const Simulation& simulation) const;
   /// What the user reads about resuming; "" where nothing is resumed.
@@ -75,7 +75,6 @@ class Checkpoints {
   void remove() const;
 
  private:
-  bool due() const;
   void keep(const MarchCheckpoint& march, const FieldOutput& fields);
 
   std::string title_, folder_;

@@ -30,7 +30,7 @@ namespace {
 
 /// Solves the case; `visible`: whether to show the progress.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
-          FieldOutput& fields, Checkpoints* checkpoints, const PetscOptionsGiven& petsc, bool visible) {
+          FieldOutput& fields, Checkpoints& checkpoints, const PetscOptionsGiven& petsc, bool visible) {
   std::optional<Progress> line;
   if (visible) line.emplace("solving");
   RunOptions options;
@@ -41,7 +41,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
   };
   options.observer = [&fields](const Simulation& marched) { return fields.begin(marched); };
   options.soil = [&fields](YieldingSoil& soil) { fields.follow(soil); };
-  if (checkpoints) options.checkpoints = checkpoints->begin(fields);
+  options.checkpoints = checkpoints.begin(fields, visible);
   return solve(input, simulation, records, options);
 }
 
@@ -91,11 +91,9 @@ std::vector<std::string> run_files() {
   return files;
 }
 
-/// Throws InputError at the keys of a case that cannot be solved on several processes, as checkpoints cannot.
-void check_processes(const Case& input, bool with_checkpoints) {
+/// Throws InputError at the keys of a case that cannot be solved on several processes.
+void check_processes(const Case& input) {
   Diagnostics mistakes;
-  if (with_checkpoints)
-    mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
   for (const Exclusion& reason : excluded(input.scene, Treatment::several_processes))
     mistakes.add(input.place(reason.key), reason.why + " on several processes",
                  "remove it, or run upbead alone, without mpirun");
@@ -145,32 +143,29 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   require_trust(input, options.trusted);
   require_loads(input);
   if (is_first) std::cerr << notes_on(input) << note_on_launch(processes.get());
-  if (processes) check_processes(input, options.checkpoint_every > 0. || options.resume);
+  if (processes) check_processes(input);
   const PetscOptionsGiven petsc = given_to_petsc(options, processes.get());
   note_interrupts();
   std::optional<OutputFolder> folder;
-  std::optional<Checkpoints> checkpoints;
+  const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
   if (is_first) {
-    const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
     require_inputs_kept(out, run_files(), input_files(input));
     folder.emplace(out);
   }
   std::shared_ptr<const Mesh> mesh = settle_end(input);
-  if (is_first) {
-    checkpoints.emplace(input, folder->name(), CheckpointWish{options.checkpoint_every, options.resume});
-  }
+  Checkpoints checkpoints(input, out, CheckpointWish{options.checkpoint_every, options.resume});
   const Simulation simulation = simulation_of(input, std::move(mesh), processes);
-  if (checkpoints) checkpoints->require_fit(input, simulation);
+  checkpoints.require_fit(input, simulation);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
   if (is_first && !options.json)
     std::cout << (options.details ? details(input, simulation, records) : brief(input, simulation))
-              << checkpoints->account() << std::flush;
+              << checkpoints.account() << std::flush;
 
   FieldOutput fields(input.scene, folder ? &*folder : nullptr);
-  Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, petsc, is_first);
+  Run result = solve(input, simulation, records, fields, checkpoints, petsc, is_first);
   if (!is_first) return;
   const std::string json = write(input, records, result, fields, since_start, *folder);
-  checkpoints->remove();
+  checkpoints.remove();
   const std::string written = folder->name() + "/{results.h5, " +
                               (input.scene.output_times.empty() ? "" : "times.csv, ") + "summary.json, case.toml" +
                               (input.scene.fields_every && result.summary.cycles ? ", cycles.vtu" : "") +

@@ -72,8 +72,11 @@ Modes split_last(ModalModel model, Eigen::Index n) {
 }
 
 FieldBasis first_directions(const FieldBasis& basis, Eigen::Index n) {
-  return {
-      basis.unknown, basis.unit, basis.vectors.leftCols(n), {basis.coordinate.begin(), basis.coordinate.begin() + n}};
+  return {basis.unknown,
+          basis.unit,
+          basis.vectors.leftCols(n),
+          {basis.coordinate.begin(), basis.coordinate.begin() + n},
+          basis.layout};
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ class GrowingBasis {
   /// The directions of displacements with W, and of phi, at a look.
   FieldBasis displacements(const Look& look) const;
   FieldBasis phi(const Look& look) const;
+  const Layout& layout() const { return krylov_.phi().layout; }
   bool has_looks() const { return !made_.empty(); }
   int n_independent_loads() const { return krylov_.n_independent_loads(); }
   int n_solves() const { return krylov_.n_solves(); }

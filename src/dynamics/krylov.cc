@@ -4,12 +4,14 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "effective_matrix.h"
 #include "orthogonalise.h"
 #include "products.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -26,17 +28,19 @@ bool is_phi(const System& system, int unknown) {
 
 /// Squares of the norm's weights, so that all kinds of unknowns count alike: the diagonal of |T|, plus, for each phi,
 /// the diagonal of T_pu diag(T_uu)^-1 T_up, as phi has no diagonal entry of its own where the fluid is incompressible
-/// and flows with inertia.
-Vector norm_weight(const SparseMatrix& T, const System& system) {
-  const Vector diagonal = T.diagonal().cwiseAbs();
-  const double least = 1e-12 * diagonal.maxCoeff();
-  Vector weight = diagonal;
+/// and flows with inertia. Where several processes share both phi and u, the squares of their parts of T_pu are summed:
+/// another norm, but vectors of it span the same space.
+Vector norm_weight(const SparseMatrix& T, const System& system, const Layout& layout) {
+  const Vector diagonal = values_of(system, T.diagonal()).cwiseAbs();
+  const double least = 1e-12 * layout.largest(diagonal.maxCoeff());
+  Vector weight = layout.counted(diagonal);
   for (int i = 0; i < T.rows(); ++i) {
     if (!is_phi(system, i)) continue;
     for (SparseMatrix::InnerIterator entry(T, i); entry; ++entry)
       if (!is_phi(system, static_cast<int>(entry.col())))
         weight[i] += entry.value() * entry.value() / std::max(diagonal[entry.col()], least);
   }
+  weight = values_of(system, std::move(weight));
   for (double& w : weight)
     if (!(w > 0.)) w = 1.;  // an unknown without entries
   return weight;
@@ -46,7 +50,8 @@ Vector norm_weight(const SparseMatrix& T, const System& system) {
 
 FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact) {
   constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
-  const Vector weight = norm_weight(T, system);
+  const Layout layout = layout_of(system);
+  const Vector weight = norm_weight(T, system, layout);
   FieldBases bases;
   for (int i = 0; i < system.size(); ++i) (is_phi(system, i) ? bases.phi : bases.displacements).unknown.push_back(i);
   for (FieldBasis* basis : {&bases.displacements, &bases.phi}) {
@@ -54,6 +59,7 @@ FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::v
     for (std::size_t i = 0; i < basis->unknown.size(); ++i)
       if (basis->unknown[i] >= system.n_free()) basis->unit[i] = 1.;
     basis->vectors.resize(basis->unit.size(), room);
+    basis->layout = layout.of(basis->unknown);
   }
   int n_coordinates = 0;
   const auto keep = [&](int unknown) {
@@ -94,6 +100,7 @@ void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {
 void SecondOrderKrylov::start(const System& system) {
   const int n = system.size();
   Eigen::MatrixXd directions(n, 0);
+  const Layout layout = layout_of(system);
   std::set<int> prescribed;
   for (const SystemLoad& load : system.loads) {
     Vector rhs = Vector::Zero(n), x = Vector::Zero(n);
@@ -102,11 +109,11 @@ void SecondOrderKrylov::start(const System& system) {
       x[load.prescribed] = 1.;
     } else {
       rhs = load.vector;
-      Vector direction = rhs.normalized();  // zero for a load that is zero
-      orthogonalise(directions, direction);
-      if (direction.norm() < round_off) continue;
+      Vector direction = layout.normalised(rhs);  // zero for a load that is zero
+      orthogonalise(directions, direction, layout);
+      if (layout.norm(direction) < round_off) continue;
       directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
-      directions.rightCols(1) = direction.normalized();
+      directions.rightCols(1) = layout.normalised(direction);
     }
     solve(rhs, x);
     append(take(x), Vector());
@@ -117,9 +124,9 @@ void SecondOrderKrylov::start(const System& system) {
 
 void SecondOrderKrylov::take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates) {
   Vector y = Vector(x(basis.unknown)).cwiseQuotient(basis.unit);
-  const Vector h = orthogonalise(basis.columns(), y);
+  const Vector h = orthogonalise(basis.columns(), y, basis.layout);
   for (Eigen::Index j = 0; j < h.size(); ++j) coordinates[basis.coordinate[j]] = h[j];
-  const double rest = y.norm();
+  const double rest = basis.layout.norm(y);
   if (rest <= least) return;
   add_column(basis, y / rest, n_coordinates_);
   coordinates.conservativeResize(++n_coordinates_);
@@ -129,7 +136,7 @@ void SecondOrderKrylov::take(FieldBasis& basis, const Vector& x, double least, V
 Vector SecondOrderKrylov::take(const Vector& x) {
   double square = 0.;
   for (const FieldBasis* basis : {&u_, &phi_})
-    square += Vector(x(basis->unknown)).cwiseQuotient(basis->unit).squaredNorm();
+    square += basis->layout.square(Vector(x(basis->unknown)).cwiseQuotient(basis->unit));
   Vector coordinates = Vector::Zero(n_coordinates_);
   for (FieldBasis* basis : {&u_, &phi_}) take(*basis, x, round_off * std::sqrt(square), coordinates);
   return coordinates;

@@ -1,14 +1,15 @@
 #include "upbead/dynamics/march.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "base/interrupt.h"
+#include "dynamics/joined.h"
 #include "dynamics/step_interior.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -54,32 +55,12 @@ void check_finite(const State& state) {
   throw NumericsError("the state at t = " + std::to_string(state.time) + " s is not finite");
 }
 
-/// Adds up the readings and energies of all processes.
-void sum_over(const Processes& processes, Response& response) {
-  for (Eigen::MatrixXd* readings : {&response.ends.reading, &response.balanced.reading, &response.inside.reading})
-    processes.sum(readings->data(), static_cast<int>(readings->size()));
-  constexpr std::array terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
-                                &EnergyAccount::fluid,    &EnergyAccount::drag,    &EnergyAccount::damping,
-                                &EnergyAccount::radiated, &EnergyAccount::scheme,  &EnergyAccount::lifted,
-                                &EnergyAccount::friction, &EnergyAccount::plastic};
-  std::vector<double> values;
-  for (const EnergyAccount& account : response.energy)
-    for (const auto term : terms) values.push_back(account.*term);
-  processes.sum(values.data(), static_cast<int>(values.size()));
-  auto next = values.begin();
-  double largest_work = 0.;
-  for (EnergyAccount& account : response.energy) {
-    for (const auto term : terms) account.*term = *next++;
-    account.largest_work = largest_work = std::max(largest_work, std::abs(account.work));
-  }
-}
-
 /// Stops a march once its energy has died away. In a divided system that energy is a sum over processes, the same on
 /// all, so that all stop at once.
 class EarlyStop {
  public:
   EarlyStop(const System& system, const Scheme& scheme, double end, double fraction)
-      : system_(system), fraction_(fraction) {
+      : system_(system), layout_(layout_of(system)), fraction_(fraction) {
     if (fraction > 0. && !scheme.accounts_energy())
       throw std::invalid_argument("stop_at_energy needs a scheme that accounts for energy");
     for (double kink : kinks(system))
@@ -90,8 +71,7 @@ class EarlyStop {
   }
   bool due(const EnergyAccount& energy, double time, double step) {
     if (fraction_ <= 0.) return false;
-    double stored = energy.stored();
-    if (system_.is_divided()) system_.sharing.processes->sum(&stored, 1);
+    const double stored = layout_.sum(energy.stored());
     largest_ = std::max(largest_, stored);
     return time > last_kink_ && stored < fraction_ * largest_ && loads_are_over(time, step);
   }
@@ -104,6 +84,7 @@ class EarlyStop {
   }
 
   const System& system_;
+  Layout layout_;
   double fraction_;
   double last_kink_ = 0.;
   double largest_ = 0.;
@@ -168,7 +149,8 @@ void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_
   };
   const std::size_t n = so_far.ends.time.size(), n_within = has_inside && n > 0 ? n_inside(static_cast<int>(n) - 1) : 0;
   const bool fit = fits(so_far.ends, n) && fits(so_far.balanced, n) && fits(so_far.inside, n_within) &&
-                   so_far.n_steps >= 0 && so_far.n_steps <= n_steps && so_far.final_state.x.size() == system.size() &&
+                   so_far.n_steps >= 0 && so_far.n_steps <= n_steps &&
+                   so_far.final_state.x.size() == whole_size(system) &&
                    checkpoint.memory.balanced.load.size() == system.loads.size() &&
                    checkpoint.memory.end_load.size() == system.loads.size();
   if (!fit) throw NumericsError(no_fit);
@@ -181,6 +163,8 @@ class March {
       : system_(system),
         scheme_(scheme),
         options_(options),
+        layout_(layout_of(system)),
+        keeps_(layout_.largest(options.checkpoints.due ? 1. : 0.) > 0.),
         n_steps_(grid.n_steps()),
         solves_(scheme.n_solves()),
         factorisations_(scheme.n_factorisations()),
@@ -206,7 +190,7 @@ class March {
     if (n == 1) scheme_.advance(state_, h);
     recorder_.add(state_);
     done_ += n;
-    if (options_.checkpoints.due && options_.checkpoints.due()) options_.checkpoints.keep(checkpoint());
+    if (keeps_ && is_due()) keep_checkpoint();
     observe();
     check_interrupt();  // marches without an observer may be long, too
     stopped_ = done_ < n_steps_ && early_stop_.due(scheme_.energy(), state_.time, h);
@@ -219,6 +203,15 @@ class March {
   void observe() const {
     for (MarchObserver* observer : options_.observers) observer->see(state_, done_, n_steps_);
   }
+  /// Where one process finds a checkpoint due, all keep it.
+  bool is_due() const {
+    const auto& due = options_.checkpoints.due;
+    return layout_.largest(due && due() ? 1. : 0.) > 0.;
+  }
+  void keep_checkpoint() const {
+    const MarchCheckpoint whole = joined(system_, checkpoint());
+    if (options_.checkpoints.keep) options_.checkpoints.keep(whole);
+  }
   MarchCheckpoint checkpoint() const {
     std::vector<double> observed;
     for (const MarchObserver* observer : options_.observers) {
@@ -227,9 +220,10 @@ class March {
     }
     return {with_counts(recorder_.so_far(state_)), scheme_.memory(), observed};
   }
-  void recall(const MarchCheckpoint& checkpoint) {
+  void recall(const MarchCheckpoint& whole) {
+    require_fit(whole, system_, n_steps_, scheme_.order() >= 4);
+    const MarchCheckpoint checkpoint = restricted(system_, whole);
     const Response& so_far = checkpoint.so_far;
-    require_fit(checkpoint, system_, n_steps_, scheme_.order() >= 4);
     state_ = so_far.final_state;
     scheme_.recall(checkpoint.memory);
     auto known = checkpoint.observed.begin();
@@ -240,7 +234,7 @@ class March {
       known += n;
     }
     recorder_.recall(so_far);
-    early_stop_.recall(so_far.energy);
+    early_stop_.recall(whole.so_far.energy);
     done_ = so_far.n_steps;
     solves_ -= so_far.n_solves;
   }
@@ -255,6 +249,8 @@ class March {
   const System& system_;
   Scheme& scheme_;
   const MarchOptions& options_;
+  Layout layout_;
+  bool keeps_;  ///< checkpoints, on some process
   int n_steps_, solves_, factorisations_;
   State state_;
   Recorder recorder_;
@@ -273,8 +269,6 @@ ObserverFunction progress_observer(std::function<void(double)> progress) {
 }
 
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options) {
-  if (system.is_divided() && (options.checkpoints.due || options.checkpoints.resume_from))
-    throw std::invalid_argument("checkpoints are not kept on several processes");
   March march(system, scheme, grid, options);
   int first = 0;  // step of the segment
   for (const TimeSegment& segment : grid.segments) {
@@ -283,7 +277,7 @@ Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const
     first += segment.n_steps;
   }
   Response response = march.finish();
-  if (system.is_divided()) sum_over(*system.sharing.processes, response);
+  add_up(system, response);
   return response;
 }
 

@@ -33,10 +33,10 @@ class JoinedSpace {
     const Vector units = other.unit.cwiseQuotient(basis.unit);
     for (Eigen::Index j = 0; j < other.n(); ++j) {
       Vector y = units.cwiseProduct(other.vectors.col(j));
-      const double length = y.norm();
-      detail::orthogonalise(basis.columns(), y);
-      if (y.norm() > detail::round_off * length)
-        detail::add_column(basis, y.normalized(), static_cast<int>(u_.n() + phi_.n()));
+      const double length = basis.layout.norm(y);
+      detail::orthogonalise(basis.columns(), y, basis.layout);
+      if (basis.layout.norm(y) > detail::round_off * length)
+        detail::add_column(basis, basis.layout.normalised(y), static_cast<int>(u_.n() + phi_.n()));
     }
   }
 

@@ -11,10 +11,10 @@ constexpr double round_off = 1e-11;
 
 /// Subtracts from y its part in the span of the orthonormal columns of Q, twice, as once is not enough near the span;
 /// returns the coordinates of the part subtracted.
-inline Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
+inline Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y, const Layout& layout = {}) {
   Vector coordinates = Vector::Zero(Q.cols());
   for (int pass = 0; pass < 2; ++pass) {
-    const Vector h = transposed_product(Q, y);
+    const Vector h = layout.products(Q, y);
     y -= product(Q, h);
     coordinates += h;
   }

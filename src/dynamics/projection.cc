@@ -87,6 +87,7 @@ Projection::Projection(const System& system, const FieldBasis& displacements, co
       velocity_(row_matrix(system.readings, &Reading::velocity, system.size())),
       acceleration_(row_matrix(system.readings, &Reading::acceleration, system.size())),
       reduced_(without_coordinates(system, shift)) {
+  u_.basis.layout.add_up(reduced_.feedthrough);
   const auto coupling = [&](const SparseMatrix& A) -> SparseMatrix {
     return phi_.basis.unit.asDiagonal() * block(A, phi_.basis.unknown, u_.basis.unknown) * u_.basis.unit.asDiagonal();
   };
@@ -136,9 +137,11 @@ void Projection::project(Group& group) {
   const std::vector<int>& coordinate = group.basis.coordinate;
   const Eigen::MatrixXd all = columns_of(group, 0);
   const Columns added = all.rightCols(all.cols() - group.n_projected);
+  const bool alone = group.basis.layout.is_alone();
   const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
-    if (A.nonZeros() == 0) return;
-    const Eigen::MatrixXd gram = gram_of(all, A * added);
+    if (alone && A.nonZeros() == 0) return;
+    Eigen::MatrixXd gram = gram_of(all, A * added);
+    group.basis.layout.add_up(gram);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
         const int row = coordinate[i];
@@ -150,13 +153,15 @@ void Projection::project(Group& group) {
   fill(group.C, reduced_.C);
   fill(group.K, reduced_.K);
   project_rows(group);
+  project_loads(group);
   group.n_projected = group.basis.n();
 }
 
 /// Entries of C between phi and u for new directions: new u with all phi, then new phi with old u.
 void Projection::project_coupling() {
-  if (C_phiu_.nonZeros() == 0) return;
-  const auto fill = [&](const Eigen::MatrixXd& gram, Eigen::Index first_phi, Eigen::Index first_u) {
+  if (u_.basis.layout.is_alone() && C_phiu_.nonZeros() == 0) return;
+  const auto fill = [&](Eigen::MatrixXd gram, Eigen::Index first_phi, Eigen::Index first_u) {
+    u_.basis.layout.add_up(gram);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
         const int row = phi_.basis.coordinate[first_phi + i];
@@ -174,21 +179,33 @@ void Projection::project_rows(const Group& group) {
   const FieldBasis& basis = group.basis;
   std::vector<int> local(static_cast<std::size_t>(position_.cols()), -1);
   for (std::size_t i = 0; i < basis.unknown.size(); ++i) local[basis.unknown[i]] = static_cast<int>(i);
+  const Eigen::Index first = group.n_projected, n = basis.n() - first;
   const auto project = [&](const SparseMatrix& rows, Eigen::MatrixXd& reduced) {
+    Eigen::MatrixXd added = Eigen::MatrixXd::Zero(rows.rows(), n);
     for (int i = 0; i < rows.rows(); ++i)
       for (SparseMatrix::InnerIterator entry(rows, i); entry; ++entry)
         if (const int j = local[entry.col()]; j >= 0)
-          for (Eigen::Index c = group.n_projected; c < basis.n(); ++c)
-            reduced(i, basis.coordinate[c]) += entry.value() * (basis.unit[j] * basis.vectors(j, c));
+          for (Eigen::Index c = 0; c < n; ++c)
+            added(i, c) += entry.value() * (basis.unit[j] * basis.vectors(j, first + c));
+    basis.layout.add_up(added);
+    for (Eigen::Index c = 0; c < n; ++c) reduced.col(basis.coordinate[first + c]) = added.col(c);
   };
   project(position_, reduced_.position);
   project(velocity_, reduced_.velocity);
   project(acceleration_, reduced_.acceleration);
+}
+
+void Projection::project_loads(const Group& group) {
+  const FieldBasis& basis = group.basis;
+  const Eigen::Index first = group.n_projected, n = basis.n() - first;
   for (std::size_t k = 0; k < loads_.size(); ++k) {
     if (loads_[k].size() == 0) continue;
     const Vector scaled = basis.unit.cwiseProduct(loads_[k](basis.unknown));
-    for (Eigen::Index c = group.n_projected; c < basis.n(); ++c)
-      reduced_.load(basis.coordinate[c], static_cast<Eigen::Index>(k)) = scaled.dot(basis.vectors.col(c));
+    Vector added(n);
+    for (Eigen::Index c = 0; c < n; ++c) added[c] = scaled.dot(basis.vectors.col(first + c));
+    basis.layout.add_up(added);
+    for (Eigen::Index c = 0; c < n; ++c)
+      reduced_.load(basis.coordinate[first + c], static_cast<Eigen::Index>(k)) = added[c];
   }
 }
 

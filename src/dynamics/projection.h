@@ -10,7 +10,7 @@ namespace upbead {
 
 /// Projects on all coordinates of a space, and on new ones as the space grows. u and W share one basis and phi has
 /// another, so the signs of the System's matrices are kept; a rigid caisson's motions are coordinates, so the balance
-/// of its forces holds to round-off.
+/// of its forces holds to round-off. In a divided system it is a sum over processes, the same on each.
 class Projection {
  public:
   /// The space must outlive the object; the System is read here alone. Throws std::logic_error where M or K couples phi
@@ -38,6 +38,7 @@ class Projection {
   void project(Group& group);
   void project_coupling();
   void project_rows(const Group& group);
+  void project_loads(const Group& group);
 
   Group u_, phi_;
   SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W

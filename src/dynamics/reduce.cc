@@ -181,7 +181,8 @@ bool GrowingModel::grow() {
   ++n_looks_;
   std::vector<Eigen::MatrixXd> now = responses(modes.model, loads_);
   compare_looks(modes.model, modes.kept, now);
-  out_.converged = look_->exhausted || (!out_.history.empty() && meets(out_.error, options_));
+  const bool converged = look_->exhausted || (!out_.history.empty() && meets(out_.error, options_));
+  out_.converged = basis_->layout().largest(converged ? 1. : 0.) > 0.;  // none goes on without the others
   out_.model = std::move(modes.model);
   kept_ = std::move(modes.kept);
   before_ = std::move(now);

@@ -91,7 +91,7 @@ Eigen::MatrixXd SnapshotBasis::sorting() const {
 }
 
 FieldBasis SnapshotBasis::phi_in(const Eigen::MatrixXd& rotation) const {
-  FieldBasis turned{phi_.unknown, phi_.unit, {}, {}};
+  FieldBasis turned{phi_.unknown, phi_.unit, {}, {}, phi_.layout};
   const Eigen::MatrixXd of_phi = rotation(phi_.coordinate, Eigen::all);
   for (Eigen::Index j = 0; j < of_phi.cols(); ++j)
     if (!of_phi.col(j).isZero(0.)) turned.coordinate.push_back(static_cast<int>(j));

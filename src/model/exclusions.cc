@@ -77,9 +77,6 @@ const Feature motion{"a boundary whose motion is prescribed", [](const Scene& s)
                        }
                        return keys;
                      }};
-const Feature by_reduced{"a reduced model by name",
-                         [](const Scene& s) { return when(s.time.scheme == TimeScheme::reduced, "time.scheme"); }};
-
 const Feature deforming_caisson{"a caisson that deforms",
                                 [](const Scene& s) { return when(deforms(s), "regions.caisson.deformation"); }};
 const Feature inertial_flow{"pore water with inertia",
@@ -183,9 +180,7 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-          {Treatment::several_processes, by_reduced, "no reduced model is made"},
           {Treatment::several_processes, contact, "no contact is solved"},
-          {Treatment::several_processes, strain, "soil does not follow its strain"},
           {Treatment::several_processes, yielding, "no soil yields"},
           {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
           {Treatment::checkpoints, contact, "a run with contact keeps none"},

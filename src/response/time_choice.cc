@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/caisson/readings.h"
+#include "system/part.h"
 #include "upbead/dynamics/time_grid.h"
 
 namespace upbead {
@@ -247,7 +248,6 @@ std::optional<SchemeChoice> without_a_choice(const Scene& scene, const CompiledS
   if (has_prescribed_motion(scene)) return march("a motion that is prescribed is marched");
   if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
   if (scene.time.stop_at_energy) return march("it shall stop early");
-  if (compiled.system.is_divided()) return march("several processes share the work");
   if (compiled.system.loads.empty()) return march("no load acts");
   return std::nullopt;
 }
@@ -260,13 +260,14 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   const double marched = least_solves(scene, system);
   const double n_loads = static_cast<double>(std::min(system.loads.size(), most_independent));
   const double reduced = usual_vectors_per_load * n_loads;
-  if (const double equal = work(reduced, system.n_free()); marched < equal)
+  const int n_free = whole_size(system) - system.n_prescribed;
+  if (const double equal = work(reduced, n_free); marched < equal)
     return {TimeScheme::sdirk4,
             about(marched) + " solves" + or_more(scene) + "; a reduced model would cost as much as " + about(equal),
             {}};
   const double marching = marched + solves_per_factorisation * further_factorisations(scene, system);
   double most = reduced;
-  while (work(most + 1., system.n_free()) < risk * marching) ++most;
+  while (work(most + 1., n_free) < risk * marching) ++most;
   return {TimeScheme::reduced, about(reduced) + " solves instead of " + about(marched) + or_more(scene) + " of a march",
           static_cast<int>(most / n_loads)};
 }

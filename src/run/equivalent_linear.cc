@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/progress.h"
+#include "dynamics/joined.h"
 #include "fem/compile.h"
 #include "response/monitors.h"
 #include "response/reduction.h"
@@ -102,7 +103,10 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
     const Reduction reduction = reduce_scene(scene, compiled, targets, progress, simulation.room().get());
     if (!reduction.converged) return std::nullopt;
     LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
-    strains.see(*reduction.states, sampled_loads(scene, compiled.system));
+    const StateModel& states = *reduction.states;
+    strains.see(
+        StateModel{joined(compiled.system, states.displacements), joined(compiled.system, states.phi), states.model},
+        sampled_loads(scene, compiled.system));
     const ShearResponse response =
         read_shear_response(compiled, respond(reduction, scene, compiled.system), scene.time.inertia);
     return LinearAnswer{strains.shear(), largest_shear(response), 0.};
@@ -115,8 +119,9 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
                             const std::function<void(double)>& progress) {
   LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
   ObserverFunction reported = progress_observer(progress);
+  WholeStates whole(simulation.system(), strains);
   Marching options;
-  options.observers = {&strains, &reported};
+  options.observers = {&whole, &reported};
   const TimeScheme asked = simulation.scene().time.scheme;
   SchemeOptions scheme_options;
   scheme_options.account_energy = false;  // nobody sees these results

@@ -15,7 +15,10 @@
 namespace upbead {
 
 struct Monitors {
-  explicit Monitors(const Simulation& simulation);
+  /// For the simulation that will be solved, which must outlive the march.
+  /// `shared_before`: a part of the march is done by several processes, which kept nothing of what is looked at.
+  explicit Monitors(const Simulation& simulation, bool shared_before = false);
+
   /// The observers of a march; this object must outlive the march.
   std::vector<MarchObserver*> observers();
 

@@ -73,8 +73,31 @@ Simulation with_room(const Simulation& simulation) {
   return simulation.with([](auto& parts) { parts.room = std::make_shared<BasisRoom>(); });
 }
 
+namespace {
+
+Simulation divided(const Simulation& simulation) {
+  if (!simulation.processes()) return simulation;
+  const Stopwatch watch;
+  CompiledScene compiled = *simulation.compiled();
+  const std::vector<int> index = divide(compiled.system, compiled.body_coordinates, simulation.processes());
+  for (int& i : compiled.body_coordinates) i = index[static_cast<std::size_t>(i)];
+  for (Vector& motion : compiled.caisson_motions) {
+    const Vector whole = motion;
+    motion.resize(compiled.system.size());
+    for (std::size_t i = 0; i < index.size(); ++i)
+      if (index[i] >= 0) motion[index[i]] = whole[static_cast<Eigen::Index>(i)];
+  }
+  return simulation.with([&](auto& parts) {
+    parts.compiled = std::make_shared<CompiledScene>(std::move(compiled));
+    parts.room = nullptr;
+    parts.timing.compile += watch.seconds();
+  });
+}
+
+}  // namespace
+
 Simulation with_soil(const Simulation& simulation, const SoilState& soil) {
-  return assembled(simulation.with([&](auto& parts) { parts.soil_state = soil; }).parts());
+  return divided(assembled(simulation.with([&](auto& parts) { parts.soil_state = soil; }).parts()));
 }
 
 Simulation with_given(const Simulation& simulation, const Scene& given) {
@@ -115,19 +138,6 @@ Simulation adapted_among(const Scene& given, std::shared_ptr<const Mesh> mesh,
   parts.with_interface = with_interface;
   parts.processes = std::move(processes);
   return assembled(std::move(parts)).with([&](auto& made) { made.timing.compile += watch.seconds(); });
-}
-
-Simulation divided(const Simulation& simulation) {
-  if (!simulation.processes()) return simulation;
-  const Stopwatch watch;
-  CompiledScene compiled = *simulation.compiled();
-  const std::vector<int> index = divide(compiled.system, compiled.body_coordinates, simulation.processes());
-  for (int& i : compiled.body_coordinates) i = index[static_cast<std::size_t>(i)];
-  return simulation.with([&](auto& parts) {
-    parts.compiled = std::make_shared<CompiledScene>(std::move(compiled));
-    parts.room = nullptr;
-    parts.timing.compile += watch.seconds();
-  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "dynamics/joined.h"
 #include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
@@ -170,6 +171,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, S
   solution.n_spared = reduction.n_spared;
   solution.model = std::move(reduction.model);
   solution.pressures = std::move(reduction.pressures);
+  if (solution.pressures) solution.pressures->basis = joined(system, solution.pressures->basis);
   if (solution.pressures && simulation.member())
     solution.pressures->basis = in_scene(solution.pressures->basis, *simulation.member()->phi);
   solution.states = std::move(reduction.states);
@@ -377,12 +379,18 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
   return whole;
 }
 
+/// Whether a march is resumed that several processes have begun.
+bool was_shared(const Checkpointing& checkpoints) {
+  return checkpoints.resume_from && checkpoints.resume_from->observed.empty();
+}
+
 }  // namespace
 
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
                   double part) {
   MarchOptions marching = options;
-  const auto monitors = options.monitored ? std::make_shared<Monitors>(simulation) : nullptr;
+  const auto monitors =
+      options.monitored ? std::make_shared<Monitors>(simulation, was_shared(options.checkpoints)) : nullptr;
   if (monitors) {
     const std::vector<MarchObserver*> first = monitors->observers();
     marching.observers.insert(marching.observers.begin(), first.begin(), first.end());

@@ -159,6 +159,32 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
   return part.index;
 }
 
+Layout layout_of(const System& system) {
+  if (!system.is_divided()) return {};
+  std::vector<int> elsewhere;
+  auto counted = system.part.counted.begin();
+  for (int i = 0; i < system.size(); ++i)
+    if (counted != system.part.counted.end() && counted->first == i)
+      ++counted;
+    else
+      elsewhere.push_back(i);
+  return {system.sharing.processes, std::move(elsewhere)};
+}
+
+Vector values_of(const System& system, Vector parts) {
+  if (!system.is_divided()) return parts;
+  const Sharing& sharing = system.sharing;
+  Vector shared = Vector::Zero(sharing.n_all);
+  for (std::size_t k = 0; k < sharing.unknowns.size(); ++k) shared[sharing.numbers[k]] = parts[sharing.unknowns[k]];
+  sharing.processes->sum(shared.data(), sharing.n_all);
+  for (std::size_t k = 0; k < sharing.unknowns.size(); ++k) parts[sharing.unknowns[k]] = shared[sharing.numbers[k]];
+  return parts;
+}
+
+int whole_size(const System& system) {
+  return system.is_divided() ? system.part.n_whole : system.size();
+}
+
 State joined(const System& part, const State& state) {
   State whole;
   whole.time = state.time;
@@ -168,6 +194,19 @@ State joined(const System& part, const State& state) {
     part.sharing.processes->sum(all.data(), part.part.n_whole);
   }
   return whole;
+}
+
+State restricted(const System& part, const State& whole) {
+  State state;
+  state.time = whole.time;
+  for (Vector State::*values : {&State::x, &State::v, &State::a}) {
+    Vector here = Vector::Zero(part.size());
+    for (const auto& [own, number] : part.part.counted) here[own] = (whole.*values)[number];
+    here = values_of(part, std::move(here));
+    here.tail(part.n_prescribed) = (whole.*values).tail(part.n_prescribed);
+    state.*values = std::move(here);
+  }
+  return state;
 }
 
 }  // namespace upbead

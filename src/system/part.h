@@ -1,6 +1,7 @@
 // A system divided among processes, and its state joined again.
 #pragma once
 
+#include "upbead/algebra/layout.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -15,7 +16,16 @@ namespace upbead {
 /// NumericsError where their systems differ in size.
 std::vector<int> divide(System& system, const std::vector<int>& on_all, std::shared_ptr<const Processes> processes);
 
+/// How the unknowns of a system lie on its processes.
+Layout layout_of(const System& system);
+/// Values of the unknowns of this process, from parts whose sum over processes they are.
+Vector values_of(const System& system, Vector parts);
+/// Unknowns of the whole system.
+int whole_size(const System& system);
+
 /// The state of the whole system, from those of all parts. All processes must call it together, and each gets it.
 State joined(const System& part, const State& state);
+/// This process's part of a state of the whole system. All processes must call it together.
+State restricted(const System& part, const State& whole);
 
 }  // namespace upbead

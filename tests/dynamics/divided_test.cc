@@ -1,11 +1,17 @@
 // Claims, on as many processes as mpirun starts: a system divided among them marches like the whole system, with the
-// same readings and energies; each process holds its own unknowns and those that it shares. Tolerance: 1e-11, some
-// hundred steps of round-off.
+// same readings and energies; each process holds its own unknowns and those that it shares; it is reduced to the model
+// of the whole; a checkpoint is the same for any number of processes. Tolerance: 1e-11, some hundred steps of
+// round-off.
 #include <gtest/gtest.h>
 
+#include "dynamics/joined.h"
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
 #include "sample_system.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
+#include "upbead/dynamics/nested_models.h"
+#include "upbead/dynamics/reduce.h"
 
 namespace divided_test {
 
@@ -198,6 +204,158 @@ TEST_F(Division, StopsEarlyWhereTheWholeDoes) {
   EXPECT_TRUE(found.stopped_early);
   EXPECT_EQ(found.n_steps, whole.n_steps);
   expect_equal(found, whole);
+}
+
+/// By a model whose error is measured on two load histories.
+Reduction reduced(const System& system, double tolerance) {
+  std::vector<double> time;
+  for (int i = 0; i <= 80; ++i) time.push_back(0.05 * i);
+  ReduceOptions options;
+  options.shift = 3.;
+  options.training = sample(load_histories(system), time);
+  options.measured = {0};
+  options.tolerance = options.tolerance_of_others = options.tolerance_of_states = tolerance;
+  options.first_vectors = 3;
+  options.keep_states = true;
+  return reduce(system, options);
+}
+
+/// All states of a model under its loads, side by side; `whole` makes them those of the whole system.
+Eigen::MatrixXd states(const Reduction& reduction, const System& system,
+                       const std::function<State(const State&)>& whole) {
+  std::vector<Eigen::Index> times;
+  std::vector<double> time;
+  for (int i = 0; i <= 40; ++i) time.push_back(0.1 * i), times.push_back(i);
+  const SampledLoads loads = sample(load_histories(system), time);
+  Eigen::MatrixXd all;
+  for_each_state(*reduction.states, respond_in_coordinates(reduction.states->model, loads), times,
+                 [&](const State& state, Eigen::Index i) {
+                   const State joint = whole(state);
+                   if (i == 0) all.resize(joint.x.size(), 2 * static_cast<Eigen::Index>(times.size()));
+                   all.col(2 * i) = joint.x;
+                   all.col(2 * i + 1) = joint.v;
+                 });
+  return all;
+}
+
+TEST_F(Division, IsReducedToTheModelOfTheWhole) {
+  const Joined systems(count_);
+  const System whole = systems.system(0, count_);
+  System part = systems.system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  const Reduction expected = reduced(whole, 0.02), found = reduced(part, 0.02);
+  ASSERT_TRUE(expected.converged);
+  EXPECT_TRUE(found.converged);
+  EXPECT_EQ(found.n_vectors, expected.n_vectors);
+  EXPECT_EQ(found.n_independent_loads, expected.n_independent_loads);
+  EXPECT_NEAR(found.error.history, expected.error.history, 1e-9);
+  std::vector<double> time;
+  for (int i = 0; i <= 80; ++i) time.push_back(0.05 * i);
+  const SampledLoads loads = sample(load_histories(whole), time);
+  const Eigen::MatrixXd here = respond(found.model, loads).reading, there = respond(expected.model, loads).reading;
+  for (Eigen::Index i = 0; i < there.rows(); ++i)
+    EXPECT_LT((here.row(i) - there.row(i)).cwiseAbs().maxCoeff(), 1e-10 * there.row(i).cwiseAbs().maxCoeff()) << i;
+  const Eigen::MatrixXd all = states(expected, whole, [](const State& state) { return state; });
+  const Eigen::MatrixXd joint = states(found, part, [&](const State& state) { return joined(part, state); });
+  EXPECT_LT((joint - all).cwiseAbs().maxCoeff(), 1e-9 * all.cwiseAbs().maxCoeff());
+}
+
+/// A model of few vectors is not exact, so that it is the same only where the spaces are the same.
+TEST_F(Division, SpansTheSpaceOfTheWhole) {
+  const Joined systems(count_);
+  const System whole = systems.system(0, count_);
+  System part = systems.system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  const auto model_of = [](const System& system, int n_vectors) {
+    SecondOrderKrylov krylov(system, 3.);
+    while (krylov.n_vectors() < n_vectors && krylov.extend()) {
+    }
+    const ReducedSystem projected = Projection(system, krylov).reduced();
+    return modal_model(state_space(projected), projected);
+  };
+  const ModalModel found = model_of(part, 5), expected = model_of(whole, 5), exact = model_of(whole, 1000);
+  const std::complex<double> s(0.3, 1.);
+  for (int i = 0; i < found.n_readings(); ++i)
+    for (int k = 0; k < found.n_loads(); ++k) {
+      const std::complex<double> H = expected.transfer(i, k, s);
+      EXPECT_LT(std::abs(found.transfer(i, k, s) - H), 1e-11 * std::abs(H)) << i << " " << k;
+      EXPECT_GT(std::abs(exact.transfer(i, k, s) - H), 1e-6 * std::abs(H)) << i << " " << k;
+    }
+}
+
+/// Joined directions give the states of the whole by themselves.
+TEST_F(Division, JoinsTheDirectionsOfAModel) {
+  const Joined systems(count_);
+  System part = systems.system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  Reduction found = reduced(part, 0.02);
+  const Eigen::MatrixXd joint = states(found, part, [&](const State& state) { return joined(part, state); });
+  found.states->displacements = joined(part, found.states->displacements);
+  found.states->phi = joined(part, found.states->phi);
+  EXPECT_EQ(states(found, part, [](const State& state) { return state; }), joint);
+}
+
+/// Spaces about several shifts, joined.
+TEST_F(Division, IsReducedAboutSeveralShiftsAsTheWholeIs) {
+  const Joined systems(count_);
+  const System whole = systems.system(0, count_);
+  System part = systems.system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  const NestedSpace space{3., 6, {}};
+  const NestedModels expected = nested_models(whole, space, {0, 2}, {}), found = nested_models(part, space, {0, 2}, {});
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 2; ++i) {
+      const std::complex<double> s(0.3, 1.), H = expected.reference.transfer(i, k, s);
+      EXPECT_LT(std::abs(found.reference.transfer(i, k, s) - H), 1e-9 * std::abs(H));
+    }
+}
+
+/// Of the whole march, and all its checkpoints.
+Response kept(const System& system, SchemeKind kind, std::vector<MarchCheckpoint>& all,
+              std::shared_ptr<const MarchCheckpoint> from = nullptr) {
+  const auto scheme = make_scheme(system, {kind});
+  MarchOptions options;
+  options.checkpoints.due = [] { return true; };
+  options.checkpoints.keep = [&all](const MarchCheckpoint& checkpoint) { all.push_back(checkpoint); };
+  options.checkpoints.resume_from = std::move(from);
+  return march(system, *scheme, make_time_grid(kinks(system), 4., 0.1), options);
+}
+
+TEST_P(Divided, GoesOnFromACheckpointOfAnyNumberOfProcesses) {
+  const Joined systems(count_);
+  const System whole = systems.system(0, count_);
+  System part = systems.system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  std::vector<MarchCheckpoint> of_one, of_all, again;
+  const Response expected = kept(whole, GetParam(), of_one);
+  expect_equal(kept(part, GetParam(), of_all), expected);
+  ASSERT_EQ(of_all.size(), of_one.size());
+  ASSERT_GT(of_one.size(), 30U);
+  for (const std::size_t step : {std::size_t{0}, std::size_t{20}}) {
+    const auto one = std::make_shared<const MarchCheckpoint>(of_one[step]);
+    const auto all = std::make_shared<const MarchCheckpoint>(of_all[step]);
+    EXPECT_EQ(all->so_far.final_state.x.size(), whole.size());
+    expect_equal(kept(part, GetParam(), again, one), expected);
+    expect_equal(kept(part, GetParam(), again, all), expected);
+    expect_equal(kept(whole, GetParam(), again, all), expected);
+  }
+}
+
+/// All keep a checkpoint where one of them finds it due, and one that does not keep any takes part.
+TEST_F(Division, KeepsACheckpointWhereOneProcessFindsItDue) {
+  System part = Joined(count_).system(rank_, rank_ + 1);
+  divide(part, {}, processes_);
+  const auto scheme = make_scheme(part, {SchemeKind::sdirk4});
+  MarchOptions options;
+  int asked = 0, n_kept = 0;
+  if (rank_ == count_ - 1) options.checkpoints.due = [&asked] { return ++asked == 3; };
+  if (rank_ == 0)
+    options.checkpoints.keep = [&n_kept](const MarchCheckpoint& checkpoint) {
+      ++n_kept;
+      EXPECT_EQ(checkpoint.so_far.n_steps, 3);
+    };
+  march(part, *scheme, make_time_grid(kinks(part), 1., 0.1), options);
+  EXPECT_EQ(n_kept, rank_ == 0 ? 1 : 0);
 }
 
 }  // namespace divided_test

@@ -26,7 +26,7 @@ TEST(Exclusions, AreToldAtTheKeyThatAsks) {
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["mound"].strain_law = StrainLaw();
   std::vector<std::string> keys;
-  for (const Exclusion& reason : excluded(scene, Treatment::several_processes)) keys.push_back(reason.key);
+  for (const Exclusion& reason : excluded(scene, Treatment::checkpoints)) keys.push_back(reason.key);
   EXPECT_EQ(keys, (std::vector<std::string>{"regions.mound.strain", "regions.sand.strain"}));
   ASSERT_EQ(excluded(scene, Treatment::reduced_model).size(), 1U);  // a reduced model gives fields, too
   EXPECT_EQ(excluded(scene, Treatment::reduced_model).front().key, "time.stop_at_energy");

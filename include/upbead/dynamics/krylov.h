@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "upbead/algebra/layout.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -13,12 +14,14 @@ class EffectiveMatrix;
 class SymmetricPair;
 }  // namespace detail
 
-/// Orthonormal directions of one kind of unknowns: of u with W, or of phi.
+/// Orthonormal directions of one kind of unknowns: of u with W, or of phi. In a divided system each process holds them
+/// in its own unknowns.
 struct FieldBasis {
   std::vector<int> unknown;     ///< indices in the system, ascending
   Vector unit;                  ///< unit of each unknown, in which the norm is Euclidean; 1 where it is prescribed
   Eigen::MatrixXd vectors;      ///< by column; columns from n() on are reserved
   std::vector<int> coordinate;  ///< by column: index among the coordinates of both kinds
+  Layout layout = {};           ///< of the unknowns
 
   Eigen::Index n() const { return static_cast<Eigen::Index>(coordinate.size()); }
   auto columns() const { return vectors.leftCols(n()); }
@@ -44,7 +47,7 @@ FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::v
 /// unknown starts with that unknown's unit motion instead of b. The cost is one factorisation, and one solve per
 /// vector. Each prescribed unknown, and each other unknown that is to be kept exactly, is a coordinate of its own. So
 /// is each direction to keep, after the part along the directions before it is removed. The System is read by the
-/// constructor alone.
+/// constructor alone. Of a divided system all processes make the same calls, and the coordinates are the same on each.
 class SecondOrderKrylov {
  public:
   /// `exact`: unknowns to keep; `kept`: directions of displacements to keep. Throws NumericsError where T(s_0) is

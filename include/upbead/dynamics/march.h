@@ -75,10 +75,11 @@ class ObserverFunction : public MarchObserver {
 /// Calls `progress`, which may be empty, with the part of the march that is done, 0 to 1.
 ObserverFunction progress_observer(std::function<void(double)> progress);
 
-/// Checkpoints of a march.
+/// Checkpoints of a march. Those of a divided system are of the whole, so that any number of processes can go on from
+/// them: all keep one where one of them finds it due, and all resume from the same.
 struct Checkpointing {
   std::function<bool()> due;                           ///< asked after every step; none: never
-  std::function<void(const MarchCheckpoint&)> keep;    ///< takes a checkpoint, before observers see that step
+  std::function<void(const MarchCheckpoint&)> keep;    ///< takes it, before observers see that step; none: another does
   std::shared_ptr<const MarchCheckpoint> resume_from;  ///< of the same system, scheme and grid; null: from rest
 };
 
@@ -98,7 +99,7 @@ struct MarchOptions {
 /// observer sees the states of its process. A resumed march gives the same result as an uninterrupted one, to the last
 /// bit, but for the number of factorisations; its observer sees the state that it resumes from. Throws NumericsError
 /// where a value is not finite, std::invalid_argument where stop_at_energy is asked of a scheme that keeps no account
-/// of energy, or checkpoints of a divided system or of contact.
+/// of energy, or checkpoints of contact.
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
 
 }  // namespace upbead
