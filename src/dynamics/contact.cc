@@ -44,7 +44,6 @@ class FrictionalContact : public SchemeBase {
 const System& checked(const System& system) {
   if (!system.interface || system.interface->n_nodes() == 0)
     throw std::invalid_argument("contact needs a system with an interface");
-  if (system.is_divided()) throw std::invalid_argument("contact is not done on several processes");
   return system;
 }
 

@@ -66,6 +66,7 @@ EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficien
 EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E, bool refined)
     : n_free_(system.n_free()),
       refined_(refined),
+      layout_(system.sharing.processes, {}),
       free_(refined ? free_block(E, n_free_) : SparseMatrix()),
       coupling_(free_rows_of_prescribed(E, n_free_)),
       prescribed_(E.bottomRows(system.n_prescribed)),
@@ -105,7 +106,9 @@ void EffectiveMatrix::solve(Vector& rhs, Vector& y) const {
 }
 
 Vector EffectiveMatrix::residual_of_last(int n, const Vector& rhs, const Vector& y) const {
-  return prescribed_.bottomRows(n) * y - rhs.tail(n);
+  Vector residual = prescribed_.bottomRows(n) * y - rhs.tail(n);
+  layout_.add_up(residual);
+  return residual;
 }
 
 Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n, const std::optional<Border>& border) const {
@@ -117,6 +120,7 @@ Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n, const std::optional<Bo
     const Eigen::MatrixXd columns = coupling_.rightCols(n);
     D -= columns.transpose() * factors_.solve_columns(columns);
   }
+  layout_.add_up(D);
   return 0.5 * (D + D.transpose());
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "algebra/factorisation.h"
+#include "upbead/algebra/layout.h"
 #include "upbead/system/system.h"
 
 namespace upbead::detail {
@@ -28,7 +29,8 @@ class EffectiveMatrix {
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
   /// its head is overwritten. In a divided system, `rhs` is a sum over processes.
   void solve(Vector& rhs, Vector& y) const;
-  /// E y - rhs in the rows of the last n unknowns, which are prescribed.
+  /// E y - rhs in the rows of the last n unknowns, which are prescribed. In a divided system it is the sum over all
+  /// processes, the same on each; so is what is condensed.
   Vector residual_of_last(int n, const Vector& rhs, const Vector& y) const;
   /// E condensed on the last n unknowns, which are prescribed (its Schur complement): n x n, by n solves, or by half
   /// of each where there is a border.
@@ -47,6 +49,7 @@ class EffectiveMatrix {
 
   int n_free_;
   bool refined_;
+  Layout layout_;
   SparseMatrix free_;        ///< rows and columns of the free unknowns, where solutions are refined
   SparseMatrix coupling_;    ///< rows of the free, columns of the prescribed unknowns
   SparseMatrix prescribed_;  ///< rows of the prescribed unknowns, all columns

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/part.h"
+
 namespace upbead::detail {
 
 namespace {
@@ -40,8 +42,7 @@ EnergyMeter::EnergyMeter(const System& system)
 void EnergyMeter::start(const State& state) {
   account_ = {};
   set_stored(mass(state.v), stiffness(state.x), 0);
-  if (system_.interface)
-    account_.lifted = system_.interface->normal_force.dot(state.x.tail(system_.interface->n_nodes()));
+  if (system_.interface) account_.lifted = forces_at_rest().dot(state.x.tail(system_.interface->n_nodes()));
   account_.work = account_.stored();
   account_.largest_work = std::abs(account_.work);
 }
@@ -61,8 +62,13 @@ void EnergyMeter::add_work(double weight, const Vector& path, const Vector& f, c
   account_.largest_work = std::max(account_.largest_work, std::abs(account_.work));
 }
 
-void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x) {
+Vector EnergyMeter::forces_at_rest() const {
   const Vector& at_rest = system_.interface->normal_force;
+  return counts_for_prescribed(system_) ? at_rest : Vector::Zero(at_rest.size());
+}
+
+void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x) {
+  const Vector at_rest = forces_at_rest();
   const Eigen::Index n = at_rest.size();
   account_.friction -= weight * (path.tail(2 * n).head(n).dot(reaction.tail(2 * n).head(n)) +
                                  path.tail(n).dot(at_rest + reaction.tail(n)));

@@ -52,6 +52,8 @@ class EnergyMeter {
   void set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column);
 
  private:
+  /// Forces at rest are whole on every process: the first one counts for them.
+  Vector forces_at_rest() const;
   void add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x);
 
   const System& system_;

@@ -31,7 +31,7 @@ bool is_deformable(const std::vector<Body>& bodies) {
 }  // namespace
 
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const AssemblyShare& share, const std::vector<InterfaceNode>& interface, bool whole) {
+                      const AssemblyShare& share, const std::vector<InterfaceNode>& interface, bool /*whole*/) {
   CompiledScene compiled;
   compiled.bodies = bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -53,7 +53,7 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
-    if (whole && is_deformable(bodies)) compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
+    if (is_deformable(bodies)) compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
                                        uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);

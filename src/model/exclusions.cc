@@ -180,7 +180,6 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-          {Treatment::several_processes, contact, "no contact is solved"},
           {Treatment::several_processes, yielding, "no soil yields"},
           {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
           {Treatment::checkpoints, contact, "a run with contact keeps none"},

@@ -1,5 +1,6 @@
 #include "system/interface.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -37,7 +38,14 @@ Row select(const Row& row, const Selection& selection) {
   return Row(entries.begin(), entries.end());
 }
 
-/// Selects all members but the number of prescribed unknowns and the interface.
+/// Without the last unknowns, which every process holds: those from `n` on here.
+PartOfSystem without_last(PartOfSystem part, int n, int n_dropped) {
+  part.n_whole = std::max(0, part.n_whole - n_dropped);  // 0 where nothing is divided
+  while (!part.counted.empty() && part.counted.back().first >= n) part.counted.pop_back();
+  return part;
+}
+
+/// Selects all members but the number of prescribed unknowns, the interface, and what processes share.
 System select(const System& system, const Selection& selection) {
   System out;
   out.M = select(system.M, selection);
@@ -90,6 +98,8 @@ System bonded(const System& system, bool forces) {
   for (int i = 0; i < n; ++i) selection.of_old[i] = i;
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes;
+  out.sharing = system.sharing;  // its unknowns, which are free, keep their numbers
+  out.part = without_last(system.part, n, 2 * nodes);
   for (int i = 0; forces && i < nodes; ++i)
     for (Reading reading :
          {residual(system, n + i, -1., {interface_group, i, "shear_force"}, "shear force at a node of the interface"),

@@ -181,6 +181,10 @@ Vector values_of(const System& system, Vector parts) {
   return parts;
 }
 
+bool counts_for_prescribed(const System& system) {
+  return !system.is_divided() || system.sharing.processes->rank() == 0;
+}
+
 int whole_size(const System& system) {
   return system.is_divided() ? system.part.n_whole : system.size();
 }

@@ -20,6 +20,8 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
 Layout layout_of(const System& system);
 /// Values of the unknowns of this process, from parts whose sum over processes they are.
 Vector values_of(const System& system, Vector parts);
+/// Whether this process counts for the prescribed unknowns, which all hold: the first one does.
+bool counts_for_prescribed(const System& system);
 /// Unknowns of the whole system.
 int whole_size(const System& system);
 

@@ -15,6 +15,7 @@
 #include "run/sliding/uplift.h"
 #include "run/yielding_run.h"
 #include "system/interface.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
 
@@ -119,7 +120,8 @@ BondedDemand contact_demand(const System& system, const std::vector<UpliftLoad>&
 void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
   for (const UpliftLoad& load : uplift) {
     SystemLoad apart{"sliding.uplift", Vector::Zero(system.size()), load.pressure};
-    apart.vector.segment(system.first_opening(), system.interface->n_nodes()) = load.node;
+    if (counts_for_prescribed(system))
+      apart.vector.segment(system.first_opening(), system.interface->n_nodes()) = load.node;
     system.loads.push_back(std::move(apart));
   }
 }
@@ -254,6 +256,7 @@ Solution march_contact(const Simulation& simulation, const Marching& marching, c
   try {
     Solution solution = march_by(*scheme, simulation, reason, options, way.part);
     solution.contact = followed_by(recorder);
+    solution.contact->found.solved->dissipated = solution.response.energy.back().friction;  // of all processes
     return solution;
   } catch (const NumericsError& error) {
     if (simulation.scene().time.inertia) throw;
