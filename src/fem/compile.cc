@@ -31,7 +31,7 @@ bool is_deformable(const std::vector<Body>& bodies) {
 }  // namespace
 
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const AssemblyShare& share, const std::vector<InterfaceNode>& interface, bool /*whole*/) {
+                      const AssemblyShare& share, const std::vector<InterfaceNode>& interface) {
   CompiledScene compiled;
   compiled.bodies = bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -87,7 +87,7 @@ AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::v
   const std::vector<Body> bodies = rigid_bodies(*space);
   const auto nodes = with_interface ? interface_nodes(*space) : std::vector<InterfaceNode>();
   const auto unknowns = std::make_shared<const Unknowns>(*space, part, bodies, nodes);
-  CompiledScene compiled = compile(part, *space, *unknowns, bodies, share_of(*space, processes), nodes, !processes);
+  CompiledScene compiled = compile(part, *space, *unknowns, bodies, share_of(*space, processes), nodes);
   return {space, unknowns, std::make_shared<const CompiledScene>(with_courses(std::move(compiled), scene))};
 }
 

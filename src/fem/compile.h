@@ -21,19 +21,18 @@ struct CompiledScene {
   std::vector<int> body_coordinates;  ///< unknowns of the system that are coordinates of rigid bodies
   std::optional<Caisson> caisson;
   /// The rigid-body motions of a caisson that deforms, as vectors of unknowns: a projection on a space with these
-  /// keeps the balance of forces on the caisson. Empty where the caisson's coordinates are unknowns, and where the
-  /// system is divided.
+  /// keeps the balance of forces on the caisson. Empty where the caisson's coordinates are unknowns.
   std::vector<Vector> caisson_motions;
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
   std::vector<std::string> load_of;             ///< per system load: the name of the scene's load
 };
 
 /// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. `share`: of
-/// what the matrices are; `whole`: of all cells, else the system must still be divided. With the nodes of an interface,
-/// which `unknowns` must have been made with, the system has that interface, without friction or forces at rest.
+/// what the matrices are; where that is not all cells, the system must still be divided. With the nodes of an
+/// interface, which `unknowns` must have been made with, the system has that interface, without friction or forces at
+/// rest.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const AssemblyShare& share = {}, const std::vector<InterfaceNode>& interface = {},
-                      bool whole = true);
+                      const AssemblyShare& share = {}, const std::vector<InterfaceNode>& interface = {});
 
 /// The same, its loads in the course that a scene gives them which differs in nothing else of system_scene.h.
 CompiledScene with_courses(CompiledScene compiled, const Scene& scene);
