@@ -10,13 +10,14 @@
 
 namespace upbead {
 
-class SoilPoint;
+template <int>
+class SoilAt;
 class YieldingSoil;
 
 namespace test {
 
 /// As PointsOfCells of fem/yielding_soil.h.
-using SoilPoints = std::function<std::unique_ptr<SoilPoint>(unsigned cell, unsigned point)>;
+using SoilPoints = std::function<std::unique_ptr<SoilAt<1>>(unsigned cell, unsigned point)>;
 
 struct YieldingMarch {
   /// The soil's laws are those of the scene at rest, or `points` if they are given.
