@@ -3,7 +3,7 @@
 import json
 import subprocess
 
-from . import beach, column, deep, flume, paper, parapet, tornado, tornado_more
+from . import beach, column, deep, flume, paper, parapet, peers, tornado, tornado_more
 from .runs import CASES
 
 STIFFER = 1.06  # rubble that a parapet's weight presses together: G goes with the root of 1.12 times the stress
@@ -47,6 +47,7 @@ def all_of(program, folder, only=None):
         "beach": of_beach,
         "wall": of_wall,
         "paper": paper.numbers,
+        "peers": peers.compared,
         "tornado": tornado.predict,
         "more tornados": tornado_more.all_of,
     }

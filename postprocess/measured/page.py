@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import beach, flume, lumped_slip, paper, parapet
+from . import beach, flume, lumped_slip, paper, parapet, peers
 from .runs import CASES, design
 
 KEPT = "kept apart"
@@ -98,6 +98,9 @@ def fill(text, said, now):
         "flume": "\n".join(of_flume(said, now)),
         "beach": "\n".join(of_beach(now)),
         "paper": "\n".join(table(("said", "computed", "agrees", "why"), paper.rows(n))),
+        "peers": "\n".join(table(("problem", "program", "its cells and steps", "program - exact", "upbead - exact", "upbead - program"), peers.summary(now["peers"]))),
+        "nearer": f"{peers.nearer(now['peers']):.0f}",
+        "peer values": "\n".join(table(("problem", "value", "time", "exact", "program", "upbead", "program - exact", "upbead - exact", "upbead - program"), peers.details(now["peers"]))),
         "change": f"{said['parapet']['change']:.1f}",
         "change_interval": range_of(said["parapet"]["interval"], ".1f"),
         "frequency": f"{said['parapet']['frequency']:.1f}",

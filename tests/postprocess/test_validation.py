@@ -16,7 +16,7 @@ import numpy as np
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-from measured import beach, column, lumped_slip, parapet  # noqa: E402
+from measured import beach, column, lumped_slip, parapet, peers  # noqa: E402
 from measured.column_theory import Soil, quasi_static, with_inertia  # noqa: E402
 
 SAID = {path.parent.name: json.loads(path.read_text()) for path in (CASES / "validation").glob("*/prediction.json")}
@@ -89,6 +89,17 @@ class Validation(unittest.TestCase):
         hold = friction * weight
         exact = (1 / 4 + np.sqrt(2) / 6) * tau**2 * (peak - hold) ** 3 / (mass * peak**2)  # of 1 < r < 1.7
         self.assertLess(abs(slips[-1] / exact - 1), 0.02)
+
+    def test_problems_of_other_programs_are_exact_and_as_the_page_says(self):
+        limits = {"aster-terzaghi": 2e-4, "moose-mandel": 2e-5, "ogs-ramp": 1e-3, "kratos-bar": 2e-3, "aster-shear": 2e-4}
+        found = peers.compared(PROGRAM, self.folder / "peers")
+        self.assertEqual(set(found), set(limits))
+        for problem, rows in found.items():
+            self.assertEqual(len(rows), len(NOW["peers"][problem]))
+            for row, committed in zip(rows, NOW["peers"][problem], strict=True):
+                self.assertLess(abs(row["ours - exact"]), limits[problem], (problem, row))
+                for name in ("peer - exact", "ours - exact", "ours - peer"):
+                    self.assertLess(abs(row[name] - committed[name]), 1e-5, (problem, name))
 
     def test_the_page_is_that_of_its_numbers_and_predictions_stand(self):
         docs = CASES.parent / "docs"

@@ -1,0 +1,87 @@
+"""Problems with stored answers of other people's programs: peer, exact answer and ours side by side."""
+
+import json
+from pathlib import Path
+
+import h5py
+
+from . import peer_theory
+from .runs import CASES, run
+
+FOLDER = CASES / "peers"
+FINE = 1e-5  # differences below this share of the scale are shown as smaller than it
+
+
+def answers():
+    return json.loads((FOLDER / "answers.json").read_text(encoding="utf-8"))
+
+
+def exact(problem, row):
+    reading = row["reading"].rsplit("/", 1)[1]
+    ways = {
+        "aster-terzaghi": lambda: peer_theory.terzaghi(row["at"], row["time"]),
+        "moose-mandel": lambda: peer_theory.mandel(reading, row["at"], row["time"]),
+        "ogs-ramp": lambda: peer_theory.ramp(row["time"]),
+        "kratos-bar": lambda: peer_theory.bar(row["time"]) + answers()[problem]["base"],
+        "aster-shear": lambda: peer_theory.bell(row["at"], row["time"]),
+    }
+    return ways[problem]()
+
+
+def computed(program, problem, folder):
+    """Our answers, one a row. Kratos' column is computed from its loaded state on, which is added."""
+    known = answers()[problem]
+    run(program, FOLDER / f"{problem}.toml", {}, folder)
+    with h5py.File(Path(folder) / "results.h5") as file:
+        times = list(file["at_times/time"][:])
+        return [float(file[f"at_times/{row['reading']}"][nearest(times, row["time"])]) + known.get("base", 0.0) for row in known["rows"]]
+
+
+def nearest(times, time):
+    return min(range(len(times)), key=lambda number: abs(times[number] - time))
+
+
+def compared(program, folder):
+    """{problem: [{exact, ours, and three differences over the problem's scale}]}"""
+    found = {}
+    for problem, known in answers().items():
+        ours = computed(program, problem, Path(folder) / problem)
+        found[problem] = [differences(row["peer"], exact(problem, row), value, row.get("scale", known["scale"])) for row, value in zip(known["rows"], ours, strict=True)]
+    return found
+
+
+def differences(peer, true, ours, scale):
+    true = 0.0 if abs(true) < 1e-12 * scale else true
+    return {"exact": true, "ours": ours, "peer - exact": (peer - true) / scale, "ours - exact": (ours - true) / scale, "ours - peer": (ours - peer) / scale}
+
+
+def share(value):
+    return f"{100 * value:+.2g} %" if abs(value) >= FINE else f"< {100 * FINE:g} %"
+
+
+def nearer(now):
+    """How many times nearer to the exact answer ours is, in the problem where it is least so."""
+    return min(max(abs(row["peer - exact"]) for row in rows) / max(abs(row["ours - exact"]) for row in rows) for rows in now.values())
+
+
+def largest(rows, name):
+    return share(max((row[name] for row in rows), key=abs))
+
+
+def summary(now):
+    """Rows of the page: each problem with the largest differences."""
+    return [
+        (f"{known['name']} ([case](../cases/validation/peers/{problem}.toml))", known["program"], known["mesh"],
+         *(largest(now[problem], name) for name in ("peer - exact", "ours - exact", "ours - peer")))
+        for problem, known in answers().items()
+    ]  # fmt: skip
+
+
+def details(now):
+    """Rows of the page: each value."""
+    rows = []
+    for problem, known in answers().items():
+        for row, found in zip(known["rows"], now[problem], strict=True):
+            rows.append((f"{known['program']}, {known['name']}", row["what"], f"{row['time']:.4g}", f"{found['exact']:.5g}", f"{row['peer']:.5g}", f"{found['ours']:.5g}",
+                         share(found["peer - exact"]), share(found["ours - exact"]), share(found["ours - peer"])))  # fmt: skip
+    return rows
