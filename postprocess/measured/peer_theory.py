@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from scipy.special import hankel2
 
 TERMS = 400
 
@@ -71,3 +72,18 @@ def bell(where, time):
         return 1e-3 * math.exp(-(((time - way / speed - 0.17706) / 0.035590) ** 2) / 2)
 
     return at(where) + at(100 - where)
+
+
+def force(direction, where, time):
+    """u_x or u_y at a place by a vertical force in a plane without ends, downward, a Ricker wavelet of 8 Hz whose peak, 1e10 N/m, is at 0.15 s:
+    (delta H_0(k_s r) + grad grad (H_0(k_s r) - H_0(k_p r))/k_s^2)/(4 i mu) of each frequency (Eason, Fulton and Sneddon 1956), summed."""
+    density, fast, slow = 2700.0, 3000.0, 1732.05
+    w = 2 * np.pi * np.arange(1, 600) / 4.0  # nothing of the wavelet is above 30 Hz, and nothing comes back within 4 s
+    a = (np.pi * 8.0) ** 2
+    wavelet = 1e10 * np.sqrt(np.pi / a) * w**2 / (2 * a) * np.exp(-(w**2) / (4 * a) + 1j * w * (time - 0.15))
+    r, shear, press = np.hypot(*where), w / slow, w / fast
+    first = -shear * hankel2(1, shear * r) + press * hankel2(1, press * r)
+    second = -first / r - shear**2 * hankel2(0, shear * r) + press**2 * hankel2(0, press * r)
+    own, along = float(direction == "y"), where["xy".index(direction)] * where[1] / r**2
+    kernel = own * hankel2(0, shear * r) + (along * second + (own - along) * first / r) / shear**2
+    return float(-np.sum((kernel * wavelet / (4j * density * slow**2)).real) * w[0] / np.pi)

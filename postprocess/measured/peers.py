@@ -24,6 +24,7 @@ def exact(problem, row):
         "ogs-ramp": lambda: peer_theory.ramp(row["time"]),
         "kratos-bar": lambda: peer_theory.bar(row["time"]) + answers()[problem]["base"],
         "aster-shear": lambda: peer_theory.bell(row["at"], row["time"]),
+        "specfem-force": lambda: peer_theory.force(reading[-1], row["at"], row["time"]),
     }
     return ways[problem]()
 
@@ -41,10 +42,12 @@ def nearest(times, time):
     return min(range(len(times)), key=lambda number: abs(times[number] - time))
 
 
-def compared(program, folder):
+def compared(program, folder, only=None):
     """{problem: [{exact, ours, and three differences over the problem's scale}]}"""
     found = {}
     for problem, known in answers().items():
+        if only and problem not in only:
+            continue
         ours = computed(program, problem, Path(folder) / problem)
         found[problem] = [differences(row["peer"], exact(problem, row), value, row.get("scale", known["scale"])) for row, value in zip(known["rows"], ours, strict=True)]
     return found
@@ -59,9 +62,9 @@ def share(value):
     return f"{100 * value:+.2g} %" if abs(value) >= FINE else f"< {100 * FINE:g} %"
 
 
-def nearer(now):
-    """How many times nearer to the exact answer ours is, in the problem where it is least so."""
-    return min(max(abs(row["peer - exact"]) for row in rows) / max(abs(row["ours - exact"]) for row in rows) for rows in now.values())
+def worst(now, name):
+    """Largest difference of all problems, in per cent."""
+    return f"{100 * max(abs(row[name]) for rows in now.values() for row in rows):.2g}"
 
 
 def largest(rows, name):

@@ -91,15 +91,15 @@ class Validation(unittest.TestCase):
         self.assertLess(abs(slips[-1] / exact - 1), 0.02)
 
     def test_problems_of_other_programs_are_exact_and_as_the_page_says(self):
-        limits = {"aster-terzaghi": 2e-4, "moose-mandel": 2e-5, "ogs-ramp": 1e-3, "kratos-bar": 2e-3, "aster-shear": 2e-4}
-        found = peers.compared(PROGRAM, self.folder / "peers")
-        self.assertEqual(set(found), set(limits))
-        for problem, rows in found.items():
-            self.assertEqual(len(rows), len(NOW["peers"][problem]))
+        limits = {"aster-terzaghi": 2e-4, "moose-mandel": 2e-5, "ogs-ramp": 1e-3, "kratos-bar": 2e-3, "aster-shear": 2e-4}  # that of rock takes longer
+        for problem, rows in peers.compared(PROGRAM, self.folder / "peers", limits).items():
             for row, committed in zip(rows, NOW["peers"][problem], strict=True):
-                self.assertLess(abs(row["ours - exact"]), limits[problem], (problem, row))
+                self.assertLess(abs(row["ours - exact"]), limits[problem], (problem, row))  # no exact answer is made with the program
                 for name in ("peer - exact", "ours - exact", "ours - peer"):
                     self.assertLess(abs(row[name] - committed[name]), 1e-5, (problem, name))
+        for problem, known in peers.answers().items():
+            for row, committed in zip(known["rows"], NOW["peers"][problem], strict=True):
+                self.assertLess(abs(peers.exact(problem, row) - committed["exact"]), 1e-5 * known["scale"], (problem, row))
 
     def test_the_page_is_that_of_its_numbers_and_predictions_stand(self):
         docs = CASES.parent / "docs"
