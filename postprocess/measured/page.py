@@ -98,7 +98,7 @@ def fill(text, said, now):
         "flume": "\n".join(of_flume(said, now)),
         "beach": "\n".join(of_beach(now)),
         "paper": "\n".join(table(("said", "computed", "agrees", "why"), paper.rows(n))),
-        "peers": "\n".join(table(("problem", "program", "its cells and steps", "program - exact", "upbead - exact", "upbead - program"), peers.summary(now["peers"]))),
+        "peers": "\n".join(table(("problem", "program", "its cells and steps", "program - exact", "its scheme here - program", "upbead - exact", "upbead - program"), peers.summary(now["peers"]))),
         "ours": peers.worst(now["peers"], "ours - exact"),
         "theirs": peers.worst(now["peers"], "peer - exact"),
         "peer values": "\n".join(table(("problem", "value", "time", "exact", "program", "upbead", "program - exact", "upbead - exact", "upbead - program"), peers.details(now["peers"]))),

@@ -28,7 +28,7 @@ def mandel_roots(ratio):
 
 
 def mandel(quantity, where, time):
-    """p and u_x of Mandel's specimen of half width 1 under a force of 1 on that half: Cheng and Detournay (1988)."""
+    """p, u_x or u_y of Mandel's specimen of half width 1 under a force of 1 on that half: Cheng and Detournay (1988)."""
     shear, nu, alpha, mobility, bulk = 0.75, 0.2, 0.6, 1.5, 1.0
     storage = 0.1 / 8 + (alpha - 0.1) * (1 - alpha) / bulk
     undrained = bulk + alpha**2 / storage
@@ -39,6 +39,8 @@ def mandel(quantity, where, time):
     share, fading = 1 / (a - np.sin(a) * np.cos(a)), np.exp(-(a**2) * c * time)
     if quantity == "pressure":
         return float(2 / 3 * skempton * (1 + nu_u) * np.sum(share * np.sin(a) * (np.cos(a * where) - np.cos(a)) * fading))
+    if quantity == "displacement_y":
+        return float(where * (-(1 - nu) / (2 * shear) + (1 - nu_u) / shear * np.sum(share * np.sin(a) * np.cos(a) * fading)))
     own = nu / (2 * shear) - nu_u / shear * np.sum(share * np.sin(a) * np.cos(a) * fading)
     return float(own * where + np.sum(share * np.cos(a) * np.sin(a * where) * fading) / shear)
 
