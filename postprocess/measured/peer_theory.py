@@ -59,6 +59,14 @@ def ramp(time):
     return float(-speed * modulus * (base - top))
 
 
+def gravity(reading, where):
+    """p and u_y at a height of a column of 5 m at rest, 100 kPa in the water on top and nothing on the soil: equilibrium of the whole, M u'' = p' + rho g."""
+    modulus, g = 2.25e8 * (1 - 0.4) / ((1 + 0.4) * (1 - 0.8)), 10.0
+    if reading == "pressure":
+        return 1e5 + 1000 * g * (5 - where)
+    return (1600 - 1000) * g / (2 * modulus) * where * (where - 10) + 1e5 / modulus * where
+
+
 def bar(time):
     """Change of u in the middle of a fixed bar of 10 m when 1 kPa is taken off its end: d'Alembert, up to the third passing of the front."""
     density, modulus = 1890.0, 5e7 * 0.7 / (1.3 * 0.4)

@@ -22,6 +22,7 @@ def exact(problem, row):
         "aster-terzaghi": lambda: peer_theory.terzaghi(row["at"], row["time"]),
         "moose-mandel": lambda: peer_theory.mandel(reading, row["at"], row["time"]),
         "ogs-ramp": lambda: peer_theory.ramp(row["time"]),
+        "aster-gravity": lambda: peer_theory.gravity(reading, row["at"]),
         "kratos-bar": lambda: peer_theory.bar(row["time"]) + answers()[problem]["base"],
         "aster-shear": lambda: peer_theory.bell(row["at"], row["time"]),
         "specfem-force": lambda: peer_theory.force(reading[-1], row["at"], row["time"]),

@@ -91,11 +91,11 @@ class Validation(unittest.TestCase):
         self.assertLess(abs(slips[-1] / exact - 1), 0.02)
 
     def test_problems_of_other_programs_are_exact_and_as_the_page_says(self):
-        limits = {"aster-terzaghi": 2e-4, "moose-mandel": 2e-5, "ogs-ramp": 1e-3, "kratos-bar": 2e-3, "aster-shear": 2e-4}  # that of rock takes longer
+        limits = {"aster-terzaghi": 2e-4, "moose-mandel": 2e-5, "ogs-ramp": 1e-3, "kratos-bar": 2e-3, "aster-shear": 2e-4, "aster-gravity": 1e-5}  # that of rock takes longer
         for problem, rows in peers.compared(PROGRAM, self.folder / "peers", limits).items():
             for row, committed in zip(rows, NOW["peers"][problem], strict=True):
                 self.assertLess(abs(row["ours - exact"]), limits[problem], (problem, row))  # no exact answer is made with the program
-                self.assertLess(abs(row["again - peer"]), 1e-4 if problem == "aster-shear" else 3e-6, (problem, row))
+                self.assertLess(abs(row.get("again - peer", 0.0)), 1e-4 if problem == "aster-shear" else 3e-6, (problem, row))
                 for name in ("peer - exact", "ours - exact", "ours - peer"):
                     self.assertLess(abs(row[name] - committed[name]), 1e-5, (problem, name))
         for problem, known in peers.answers().items():
