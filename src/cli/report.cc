@@ -202,6 +202,7 @@ const OutputSchema<Explained>& explained_outputs() {
       OutputSchema<YieldingExtent>()
           .key("cells", &YieldingExtent::cells, "", "cells that may yield")
           .key("area", &YieldingExtent::area, "m2", "of them")
+          .key("cells_that_deform", &YieldingExtent::of, "", "all of them, whether they may yield or not")
           .list("linear[]", &YieldingExtent::linear, skipped_outputs(), "each region that is linear, and why");
   static const auto schema =
       OutputSchema<E>()

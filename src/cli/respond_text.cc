@@ -1,5 +1,7 @@
 #include "cli/respond_text.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "output/output_text.h"
 #include "upbead/input/node.h"
@@ -24,7 +26,8 @@ std::string answers_text(const AnsweredModel& of, const Json& summary, const Res
                     {"S, coupled", "sliding_coupled"},
                     {"lifted for", "coupled.lifted_time"}},
                    "", longest_table);
-  if (waves.front().contains("/circle/factor"_json_pointer))
+  const auto has_circle = [](const Json& wave) { return wave.contains("/circle/factor"_json_pointer); };
+  if (std::any_of(waves.begin(), waves.end(), has_circle))
     text += table_of(waves, rows, "waves[]",
                      {{"least factor", "name"},
                       {"sliding", "least_sliding_factor"},

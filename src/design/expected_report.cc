@@ -88,11 +88,16 @@ std::string brief(const Design& design, const ExpectedAnswer& answer, const Json
     for (const std::string& key : inside) keys.push_back(of + "." + key);
   };
   if (design.tables.sea)
-    add("expected", {"headline", "years", "distance_paper", "distance_exact", "distance_combined", "distance_dynamic",
-                     "threshold_height", "highest", "limit", "share_limited", "base.goda", "base.dynamic"});
-  if (answer.monte_carlo)
-    add("monte_carlo", {"headline", "lives", "years", "limit", "share_limited", "confidence_interval", "quantiles",
-                        "probability", "base", "ways"});
+    add("expected",
+        {"headline", "years", "distance_paper", "distance_exact", "distance_combined", "distance_dynamic",
+         "threshold_height", "highest", "limit", "share_limited", "base.goda", "base.dynamic", "base.why_not_dynamic"});
+  const std::vector<std::string> by_law{"law", "mean", "confidence_interval", "quantiles"};
+  if (answer.monte_carlo) {
+    add("monte_carlo", {"headline", "lives", "years", "limit", "share_limited"});
+    add("monte_carlo", by_law);
+    add("monte_carlo", {"without_scatter", "probability", "base", "why_no_base", "ways"});
+  }
+  if (answer.formula_lives) add("monte_carlo.by_formulas", by_law);
   keys.emplace_back("exceedance");
   const Checks checks = checks_of(design, answer);
   return text + text_of(summary, rows_of_expected(), keys) +

@@ -43,8 +43,8 @@ struct ContactReport {
 /// without regularisation: the slip rate of a node that sticks and the opening of a closed one are exactly zero.
 /// Order 4, and the same to the last bit as SDIRK on the bonded system, while no node slips or opens; order 2 while
 /// some do; order 1 in steps in which a node closes. One factorisation for each step size. Its report is
-/// Scheme::contact(). Throws std::invalid_argument where the system has no interface, or is divided among processes;
-/// its steps throw NumericsError where no motion obeys the law. `refined`: see SchemeOptions.
+/// Scheme::contact(). Throws std::invalid_argument where the system has no interface; its steps throw NumericsError
+/// where no motion obeys the law. `refined`: see SchemeOptions.
 std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy = true, bool refined = false);
 
 }  // namespace upbead

@@ -75,7 +75,7 @@ MarchCheckpoint restricted(const System& part, const MarchCheckpoint& whole) {
   return own;
 }
 
-FieldBasis joined(const System& part, const FieldBasis& basis) {
+FieldBasis joined(const System& part, FieldBasis basis) {
   if (!part.is_divided()) return basis;
   const Layout layout = layout_of(part);
   FieldBasis whole;

@@ -15,7 +15,7 @@ MarchCheckpoint joined(const System& part, MarchCheckpoint checkpoint);
 MarchCheckpoint restricted(const System& part, const MarchCheckpoint& whole);
 
 /// Directions in all unknowns of the whole system.
-FieldBasis joined(const System& part, const FieldBasis& basis);
+FieldBasis joined(const System& part, FieldBasis basis);
 
 /// Shows another observer the states of the whole system. Both must outlive the march.
 class WholeStates : public MarchObserver {

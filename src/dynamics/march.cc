@@ -211,6 +211,7 @@ class March {
   void keep_checkpoint() const {
     const MarchCheckpoint whole = joined(system_, checkpoint());
     if (options_.checkpoints.keep) options_.checkpoints.keep(whole);
+    layout_.sum(0.);  // none ends the others, as an interrupt would, before it is written
   }
   MarchCheckpoint checkpoint() const {
     std::vector<double> observed;

@@ -76,9 +76,9 @@ std::string too_coarse(const LiquefiedPlace& worst, const std::vector<Vertical>&
 
 std::string why_no_pressure(const Evidence& e) {
   const Monitors& monitors = *e.of(monitors_of);
-  if (e.simulation.processes()) return "several processes share the work";
-  if (monitors.upward && monitors.upward->verticals().empty()) return "no pores meet a surface of the ground";
-  if (!monitors.upward || !monitors.upward->has_seen()) return "no state of the pores was kept";
+  if (!monitors.upward) return "several processes share the work";
+  if (monitors.upward->verticals().empty()) return "no pores meet a surface of the ground";
+  if (!monitors.upward->has_seen()) return "no state of the pores was kept";
   return "";
 }
 

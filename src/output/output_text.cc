@@ -47,10 +47,20 @@ std::string label_of(const std::string& meaning, std::size_t width) {
   return label.size() <= width ? label : label.substr(0, label.rfind(' ', width)) + " ...";
 }
 
+/// Areas and volumes, whose prefix would be squared, rates, and units that have a prefix or take none.
+bool takes_no_prefix(const std::string& unit) {
+  static const std::vector<std::string> beginnings{"s", "degrees", "kg", "m2", "m3", "1/", "year"};
+  return std::any_of(beginnings.begin(), beginnings.end(), [&unit](const std::string& beginning) {
+    return unit == beginning || (beginning != "s" && starts_with(unit, beginning));
+  });
+}
+
+/// "1 a year" of 1/year.
 std::string number_text(double value, const std::string& unit) {
   if (unit.empty()) return significant(value, 4);
-  return unit == "s" || unit == "degrees" || starts_with(unit, "kg") ? significant(value, 4) + " " + unit
-                                                                     : with_unit(value, unit);
+  if (!takes_no_prefix(unit)) return with_unit(value, unit);
+  const std::string of = starts_with(unit, "1/") ? "per " + unit.substr(2) : unit;
+  return significant(value, 4) + " " + of;
 }
 
 /// A number, a word, or a list of those.

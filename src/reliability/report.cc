@@ -19,6 +19,13 @@ std::string reasons(const ReliabilityAnswer& answer) {
   return text;
 }
 
+std::string reasons(const std::vector<CodeRow>& codes) {
+  std::string text;
+  for (const CodeRow& row : codes)
+    if (!row.why_not.empty() && text.find(row.why_not) == std::string::npos) text += row.why_not + "\n";
+  return text;
+}
+
 constexpr double most_variation = 0.3;
 
 NumberedWarnings few_samples(const ReliabilityAnswer& answer) {
@@ -94,9 +101,10 @@ std::string brief(const Design& design, const ReliabilityAnswer& answer, const J
                    {"what", "what"},
                    {"found", "value"},
                    {"target", "target"},
+                   {"at least", "at_least"},
                    {"unit", "unit"},
                    {"holds", "holds"}}) +
-         "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
+         reasons(answer.codes) + "\n" + verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {

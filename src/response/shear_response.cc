@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.h"
 #include "dynamics/interpolate.h"
 #include "fem/caisson/readings.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -323,16 +325,20 @@ const std::string energies_differ = "the work of the loads and the sum of all en
 /// 1/2 sum of (peak b_i)^2 / K_ii, a measure of the work that the loads could do statically if each acted alone; for
 /// a load that prescribes a pressure, b is the force of that pressure.
 double possible_work(const System& system, double end) {
-  double work = 0.;
+  const Vector stiffness = values_of(system, system.K.diagonal()).cwiseAbs();
+  Vector work = Vector::Zero(system.size());
   for (const SystemLoad& load : system.loads) {
     const double peak = std::max(extremum(load.history, 0., end, 1).value, -extremum(load.history, 0., end, -1).value);
-    for (int i = 0; i < system.n_free(); ++i) {
-      const double push = load.prescribed < 0 ? load.vector[i] : system.C.coeff(i, load.prescribed);
-      const double stiffness = std::abs(system.K.coeff(i, i));
-      if (system.field[i] == Field::displacement && stiffness > 0.) work += 0.5 * std::pow(peak * push, 2) / stiffness;
-    }
+    Vector push = Vector::Zero(system.size());
+    for (int i = 0; i < system.n_free(); ++i)
+      push[i] = load.prescribed < 0 ? load.vector[i] : system.C.coeff(i, load.prescribed);
+    push = values_of(system, std::move(push));
+    for (int i = 0; i < system.n_free(); ++i)
+      if (system.field[i] == Field::displacement && stiffness[i] > 0.)
+        work[i] += 0.5 * std::pow(peak * push[i], 2) / stiffness[i];
   }
-  return work;
+  const Layout layout = layout_of(system);
+  return layout.sum(layout.counted(work).sum());
 }
 
 }  // namespace

@@ -100,13 +100,12 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
   targets.only_shear = true;
   targets.states = true;
   try {
-    const Reduction reduction = reduce_scene(scene, compiled, targets, progress, simulation.room().get());
+    Reduction reduction = reduce_scene(scene, compiled, targets, progress, simulation.room().get());
     if (!reduction.converged) return std::nullopt;
     LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
-    const StateModel& states = *reduction.states;
-    strains.see(
-        StateModel{joined(compiled.system, states.displacements), joined(compiled.system, states.phi), states.model},
-        sampled_loads(scene, compiled.system));
+    StateModel& states = *reduction.states;
+    for (FieldBasis* basis : {&states.displacements, &states.phi}) *basis = joined(compiled.system, std::move(*basis));
+    strains.see(states, sampled_loads(scene, compiled.system));
     const ShearResponse response =
         read_shear_response(compiled, respond(reduction, scene, compiled.system), scene.time.inertia);
     return LinearAnswer{strains.shear(), largest_shear(response), 0.};

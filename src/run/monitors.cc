@@ -13,10 +13,10 @@ Monitors::Monitors(const Simulation& simulation, bool shared_before) {
   const bool shared = simulation.processes() || shared_before;
   if (simulation.scene().limits.liquefaction && !shared) upward.emplace(*simulation.space(), *simulation.unknowns());
   const double level = water_level(simulation.scene(), *simulation.mesh());
-  if (shared)
-    why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";
-  else if (!std::isfinite(level))
+  if (!std::isfinite(level))
     why_no_pressure = why_no_strength = why_no_cyclic = "no still water level is known: give [initial] water_level";
+  else if (shared)
+    why_no_pressure = why_no_strength = why_no_cyclic = "several processes share the work";
   if (!why_no_pressure.empty()) return;
   pressure.emplace(*simulation.space(), *simulation.unknowns(), simulation.scene(), level);
   const bool builds = builds_pressure(simulation.scene());

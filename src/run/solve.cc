@@ -171,7 +171,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, S
   solution.n_spared = reduction.n_spared;
   solution.model = std::move(reduction.model);
   solution.pressures = std::move(reduction.pressures);
-  if (solution.pressures) solution.pressures->basis = joined(system, solution.pressures->basis);
+  if (solution.pressures) solution.pressures->basis = joined(system, std::move(solution.pressures->basis));
   if (solution.pressures && simulation.member())
     solution.pressures->basis = in_scene(solution.pressures->basis, *simulation.member()->phi);
   solution.states = std::move(reduction.states);
@@ -235,6 +235,7 @@ Solution run_bonded(const Simulation& simulation, const Marching& marching) {
   const SchemeChoice marched = reduces ? SchemeChoice{TimeScheme::sdirk4, "the reduced model was refused", {}} : choice;
   const std::shared_ptr<SlipAhead> ahead = reduces ? slip_ahead(simulation) : nullptr;
   const auto solve = [&](const Way& way, const Marching& options) {
+    const MeshLeft left{ahead.get()};  // also where nothing came to be reduced, before the next way goes through cells
     return way.reduced ? run_reduced(simulation, choice, ahead.get(), options)
                        : run_march(simulation, marched, options, way);
   };

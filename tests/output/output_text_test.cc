@@ -46,6 +46,24 @@ TEST(OutputText, OfChosenKeysSaysWhyANumberIsNull) {
             "waves\n  a\n    height                    5 m             H\n");
 }
 
+TEST(OutputText, PutsNoPrefixBeforeAreasRatesAndYears) {
+  struct Life {
+    double area = 2000., rate = 2.5e6, often = 1., years = 2000., pressure = 2e6;
+  };
+  const auto schema = OutputSchema<Life>()
+                          .key("area", &Life::area, "m2", "A")
+                          .key("rate", &Life::rate, "1/s", "waves")
+                          .key("often", &Life::often, "1/year", "occasions")
+                          .key("years", &Life::years, "years", "life")
+                          .key("pressure", &Life::pressure, "Pa", "p");
+  EXPECT_EQ(text_of(schema.to_json(Life()), schema.rows()),
+            "area                          2000 m2         A\n"
+            "rate                          2.5e+06 per s   waves\n"
+            "often                         1 per year      occasions\n"
+            "years                         2000 years      life\n"
+            "pressure                      2 MPa           p\n");
+}
+
 TEST(OutputText, TakesWhateverAUserHasCalledAnItem) {
   const std::string text =
       text_of(answer_outputs().to_json({{{"a~/b", 5., {}}}, {}}), answer_outputs().rows(), {"waves.a~/b.height"});

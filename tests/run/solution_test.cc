@@ -38,6 +38,23 @@ TEST(Solution, IsTheSameWhateverSlidingSays) {
   EXPECT_EQ(own.sliding->coupled->slip.residual, served.sliding->coupled->slip.residual);
 }
 
+TEST(Solution, KeepsTheCurveOfALoadForOtherSliding) {
+  const auto along_the_wall = [](double friction) {
+    Scene scene = sliding_scene(friction);
+    Load& load = scene.loads.at("impulse");
+    load.kind = LoadKind::pressure;
+    load.history = triangle(1.5e5, 0.2);
+    load.along_curve = true;
+    load.shape = {{0., 1.}, {16., 0.5}};
+    return scene;
+  };
+  const Summary own = find(solve(simulation_of(along_the_wall(0.4)))),
+                served = find(with_sliding(solve(simulation_of(along_the_wall(0.6))), along_the_wall(0.4)));
+  ASSERT_TRUE(own.sliding->coupled && served.sliding->coupled);
+  EXPECT_GT(own.sliding->coupled->slip.residual, 0.);
+  EXPECT_EQ(own.sliding->coupled->slip.residual, served.sliding->coupled->slip.residual);
+}
+
 int n_calls = 0;
 int counted(const Solution&) {
   return ++n_calls;

@@ -101,6 +101,7 @@ std::string brief(const Json& summary) {
     Json some;
     for (const char* key : {"load", "scale", "step", "recommended", "soils"})
       some["models"][model.key()][key] = model.value()[key];
+    if (model.value()["recommended"].is_null()) text += "\n" + model.key() + ": every fit of S itself is doubted";
     text += "\n" + text_of(some, rows) +
             table_of(model.value()["fits"], rows, "models.NAME.fits[]",
                      {{"measure", "measure"},
