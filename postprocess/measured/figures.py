@@ -73,6 +73,6 @@ def of_flume(said):
     for place, name in enumerate(names):
         axes.annotate("none" if ways[name] == 0 else f"{1e3 * ways[name]:.1f}", (1e3 * max(ways[name], 2e-5), place), xytext=(6, 3), textcoords="offset points", fontsize=8)
     axes.set_yticks(range(len(names)), names, fontsize=8)
-    axes.set(xscale="log", xlim=(0.015, 100), xlabel="slip after five waves (mm); shaded: the predicted 90 %")
+    axes.set(xscale="log", xlim=(0.015, 100), ylim=(-0.6, len(names) - 0.3), xlabel="slip after five waves (mm); shaded: the predicted 90 %")
     axes.grid(axis="x", alpha=0.3)
     return figure
