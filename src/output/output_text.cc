@@ -49,13 +49,12 @@ std::string label_of(const std::string& meaning, std::size_t width) {
 
 /// Areas and volumes, whose prefix would be squared, rates, and units that have a prefix or take none.
 bool takes_no_prefix(const std::string& unit) {
-  static const std::vector<std::string> beginnings{"s", "degrees", "kg", "m2", "m3", "1/", "year"};
-  return std::any_of(beginnings.begin(), beginnings.end(), [&unit](const std::string& beginning) {
-    return unit == beginning || (beginning != "s" && starts_with(unit, beginning));
-  });
+  static const std::vector<std::string> beginnings{"degrees", "kg", "m2", "m3", "1/", "year"};
+  return unit == "s" || std::any_of(beginnings.begin(), beginnings.end(),
+                                    [&unit](const std::string& beginning) { return starts_with(unit, beginning); });
 }
 
-/// "1 a year" of 1/year.
+/// "1 per year" of 1/year.
 std::string number_text(double value, const std::string& unit) {
   if (unit.empty()) return significant(value, 4);
   if (!takes_no_prefix(unit)) return with_unit(value, unit);

@@ -90,7 +90,10 @@ double arm_about_centre(const CompiledScene& compiled, double end) {
 class PeriodFinder {
  public:
   PeriodFinder(const CompiledScene& compiled, double end)
-      : system_(compiled.system), mass_(compiled.caisson->body.mass), x_G_(row(reading::displacement_x)) {
+      : system_(compiled.system),
+        layout_(layout_of(system_)),
+        mass_(compiled.caisson->body.mass),
+        x_G_(row(reading::displacement_x)) {
     b_ = x_G_ + arm_about_centre(compiled, end) * row(reading::rotation);
   }
 
@@ -99,7 +102,7 @@ class PeriodFinder {
   double period(double s) {
     for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
       const Vector solution = solve(s);
-      const double x = over_all(x_G_.dot(solution));
+      const double x = layout_.sum(x_G_.dot(solution));
       if (!(x > 0.)) continue;
       const double mass = mass_ + added_mass(solution, s, x), stiffness = 1. / x - mass * s * s;
       if (stiffness > 0.) return 2. * pi * std::sqrt(mass / stiffness);
@@ -122,13 +125,7 @@ class PeriodFinder {
     double force = 0.;
     for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
       if (i < solution.size()) force += weight * s * solution[i];
-    return -over_all(force) / (s * s * x);
-  }
-
-  /// In a divided system, the sum of a reading over the processes.
-  double over_all(double value) const {
-    if (system_.is_divided()) system_.sharing.processes->sum(&value, 1);
-    return value;
+    return -layout_.sum(force) / (s * s * x);
   }
 
   Vector solve(double s) {
@@ -139,6 +136,7 @@ class PeriodFinder {
   }
 
   const System& system_;
+  Layout layout_;
   double mass_;
   Vector x_G_, b_;
   int n_factorisations_ = 0;
