@@ -16,30 +16,41 @@
 
 namespace upbead {
 
+constexpr int largest_harmonic = 16;
+
+/// One value for each harmonic in space, from 0 on; a series has few, so that they need no allocation.
+using OfHarmonics = Eigen::Array<double, Eigen::Dynamic, 1, 0, largest_harmonic + 1, 1>;
+
+/// The series at one time, which is a function of x and y alone: the harmonics in time are summed.
+struct StandingInstant {
+  OfHarmonics j, decay;      ///< the harmonics, and exp(-2 j K)
+  OfHarmonics eta, eta_tau;  ///< of cos jx
+  OfHarmonics phi, phi_tau;  ///< of cos jx cosh j(y + K) / cosh jK
+  double omega = 0., c = 0.;
+
+  double surface(double x) const;             ///< eta
+  double pressure(double x, double y) const;  ///< below the surface; includes -y of still water
+  double downward_acceleration() const;       ///< of the surface at the wall, over g
+};
+
 struct StandingSeries {
-  int n = 0;                      ///< largest harmonic
-  Eigen::ArrayXd ai, aj, bi, bj;  ///< harmonics in time and in space of a and of b
-  Eigen::VectorXd a, b;
+  int n = 0;             ///< largest harmonic, at most largest_harmonic
+  Eigen::MatrixXd a, b;  ///< row i, column j; 0 where i + j is odd, in column 0 of a and in row 0 of b
   double c = 0., K = 0.;
   double relative_height = 0.;  ///< H/h
   double deep_frequency = 0.;   ///< (2 pi/T) sqrt(h/g)
   double residual = 0.;         ///< StandingWave::residual, once the coefficients are found
 
-  double frequency() const;                               ///< omega
-  double swing() const;                                   ///< eta(0, 0) - eta(pi, 0)
-  double surface(double tau, double x) const;             ///< eta
-  double pressure(double tau, double x, double y) const;  ///< below the surface; includes -y of still water
-  double crest_acceleration() const;                      ///< downward, over g
+  double frequency() const;  ///< omega
+  double swing() const;      ///< eta(0, 0) - eta(pi, 0)
+  StandingInstant at(double tau) const;
 };
 
-/// Residuals of both conditions at a point of the surface, and, where asked for, their derivatives with respect to a,
-/// b, c and K (one row of that many entries for each condition).
+/// Residuals of both conditions at a place of the surface.
 struct SurfaceConditions {
   double kinematic = 0., dynamic = 0.;
 };
-SurfaceConditions surface_conditions(const StandingSeries& series, double tau, double x,
-                                     Eigen::RowVectorXd* kinematic_row = nullptr,
-                                     Eigen::RowVectorXd* dynamic_row = nullptr);
+SurfaceConditions surface_conditions(const StandingInstant& instant, double x);
 
 /// A series of at most most_harmonics with that `residual` or less, or else with the smallest residual found; none
 /// where Newton's method finds no wave. small_K: kh of a small wave of that period.

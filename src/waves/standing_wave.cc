@@ -48,7 +48,8 @@ StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) :
   const double kh = relative_wave_number(given.period, given.depth, water.gravity);
   if (kh * given.height / given.depth > highest_that_comes * std::tanh(kh)) refuse(given);
   const auto found = solve_standing(given.height / given.depth, kh, residual_wanted, most_harmonics);
-  if (!found || found->residual > residual_allowed || found->crest_acceleration() > fastest_crest) refuse(given);
+  if (!found || found->residual > residual_allowed || found->at(0.).downward_acceleration() > fastest_crest)
+    refuse(given);
   series_ = std::make_shared<const StandingSeries>(*found);
 }
 
@@ -64,16 +65,23 @@ double StandingWave::residual() const {
   return series_->residual;
 }
 
-double StandingWave::surface(double time, double x) const {
-  const double k = series_->K / given_.depth;
-  return series_->surface(two_pi * time / given_.period, k * x) / k;
+StandingMoment StandingWave::at(double time) const {
+  return {*series_, given_.depth, two_pi * time / given_.period, water_.density * water_.gravity};
 }
 
-double StandingWave::pressure(double y, double time, double x) const {
-  const double unit_weight = water_.density * water_.gravity, still = unit_weight * std::max(-y, 0.);
-  if (y >= surface(time, x)) return -still;
-  const double k = series_->K / given_.depth;
-  return unit_weight * series_->pressure(two_pi * time / given_.period, k * x, k * y) / k - still;
+StandingMoment::StandingMoment(const StandingSeries& series, double depth, double tau, double unit_weight)
+    : instant_(std::make_shared<const StandingInstant>(series.at(tau))),
+      k_(series.K / depth),
+      unit_weight_(unit_weight),
+      at_wall_(instant_->surface(0.) / k_) {}
+
+double StandingMoment::surface(double x) const {
+  return x == 0. ? at_wall_ : instant_->surface(k_ * x) / k_;
+}
+
+double StandingMoment::pressure(double y, double x) const {
+  const double still = unit_weight_ * std::max(-y, 0.);
+  return y >= surface(x) ? -still : unit_weight_ * instant_->pressure(k_ * x, k_ * y) / k_ - still;
 }
 
 namespace {
@@ -94,12 +102,13 @@ double integral_over_wall(const std::function<double(double)>& f, double from, d
 }  // namespace
 
 WallPressure wall_pressure(const StandingWave& wave, const Section& section, double time) {
+  const StandingMoment moment = wave.at(time);
   WallPressure at;
   at.time = time;
-  at.surface = wave.surface(time);
+  at.surface = moment.surface();
   const double bottom = -section.foundation_depth;
   const double top = std::max(std::min(section.crest, at.surface), 0.);
-  const auto p = [&](double y) { return wave.pressure(y, time); };
+  const auto p = [&](double y) { return moment.pressure(y); };
   at.force = integral_over_wall(p, bottom, top, at.surface);
   at.force_moment = integral_over_wall([&](double y) { return p(y) * (y - bottom); }, bottom, top, at.surface);
   at.edge_pressure = p(bottom);
@@ -109,25 +118,29 @@ WallPressure wall_pressure(const StandingWave& wave, const Section& section, dou
 
 namespace {
 
-/// Time in a period at which f is least: found among samples, then between the neighbours of the least one.
-double least_at(const std::function<double(double)>& f, double period) {
-  constexpr int samples = 64;
-  int least = 0;
-  // f is symmetric about the crest
-  for (int i = 1; i <= samples / 2; ++i)
-    if (f(i * period / samples) < f(least * period / samples)) least = i;
-  const double dt = period / samples;
+/// Time in a period at which f is least: between the neighbours of the least of the samples.
+double least_at(const std::function<double(double)>& f, const std::vector<double>& samples, double dt) {
+  const auto least = std::min_element(samples.begin(), samples.end()) - samples.begin();
   const int bits = std::numeric_limits<double>::digits / 2;
-  return boost::math::tools::brent_find_minima(f, (least - 1) * dt, (least + 1) * dt, bits).first;
+  const double at = static_cast<double>(least) * dt;
+  return boost::math::tools::brent_find_minima(f, at - dt, at + dt, bits).first;
 }
 
 }  // namespace
 
 StandingExtremes standing_extremes(const StandingWave& wave, const Section& section) {
+  constexpr int samples = 32;  // of half a period: P is symmetric about the crest
+  const double dt = 0.5 * wave.period() / samples;
   const auto force = [&](double t) { return wall_pressure(wave, section, t).force; };
+  const auto less = [&](double t) { return -force(t); };
+  std::vector<double> forces, turned;
+  for (int i = 0; i <= samples; ++i) {
+    forces.push_back(force(i * dt));
+    turned.push_back(-forces.back());
+  }
   StandingExtremes found;
-  found.landward = wall_pressure(wave, section, least_at([&](double t) { return -force(t); }, wave.period()));
-  found.seaward = wall_pressure(wave, section, least_at(force, wave.period()));
+  found.landward = wall_pressure(wave, section, least_at(less, turned, dt));
+  found.seaward = wall_pressure(wave, section, least_at(force, forces, dt));
   found.crest = wave.surface(0.);
   found.trough = wave.surface(0.5 * wave.period());
   return found;
@@ -148,12 +161,13 @@ std::vector<double> wall_pressures(const StandingWave& wave, const std::vector<d
   const auto n = static_cast<Eigen::Index>(heights.size());
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
-  const double surface = wave.surface(time);
+  const StandingMoment moment = wave.at(time);
+  const double surface = moment.surface();
   for (Eigen::Index i = 0; i + 1 < n; ++i) {
     const double from = heights[static_cast<std::size_t>(i)], to = heights[static_cast<std::size_t>(i) + 1];
     const double length = to - from;
     mass.block<2, 2>(i, i) += length / 6. * (Eigen::Matrix2d() << 2., 1., 1., 2.).finished();
-    const auto p = [&](double y) { return wave.pressure(y, time); };
+    const auto p = [&](double y) { return moment.pressure(y); };
     load[i] += integral_over_wall([&](double y) { return p(y) * (to - y) / length; }, from, to, surface);
     load[i + 1] += integral_over_wall([&](double y) { return p(y) * (y - from) / length; }, from, to, surface);
   }

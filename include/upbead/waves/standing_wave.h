@@ -17,6 +17,22 @@ struct StandingWaveGiven {
 };
 
 struct StandingSeries;
+struct StandingInstant;
+
+/// A standing wave at one time: what its places share is found once.
+class StandingMoment {
+ public:
+  StandingMoment(const StandingSeries& series, double depth, double tau, double unit_weight);
+
+  double surface(double x = 0.) const;  ///< eta above still water (m), x (m) seaward of the wall
+  /// Change from the pressure in still water (Pa), at the height y above still water, x (m) seaward of the wall. Where
+  /// there is no water the pressure is zero, and this change is rho g y below still water and 0 above.
+  double pressure(double y, double x = 0.) const;
+
+ private:
+  std::shared_ptr<const StandingInstant> instant_;
+  double k_, unit_weight_, at_wall_;
+};
 
 /// Potential flow by the full equations, as double Fourier series of surface and potential with unknown coefficients
 /// and unknown wave number: standing_series.h (after Vanden-Broeck and Schwartz, Phys. Fluids 24 (1981) 812-815, and
@@ -33,10 +49,9 @@ class StandingWave {
   /// water over 2H, a velocity over 2H omega. At most 1e-3.
   double residual() const;
   double period() const { return given_.period; }
-  double surface(double time, double x = 0.) const;  ///< eta above still water (m), x (m) seaward of the wall
-  /// Change from the pressure in still water (Pa), at the height y above still water, x (m) seaward of the wall. Where
-  /// there is no water the pressure is zero, and this change is rho g y below still water and 0 above.
-  double pressure(double y, double time, double x = 0.) const;
+  StandingMoment at(double time) const;
+  double surface(double time, double x = 0.) const { return at(time).surface(x); }                 ///< as there
+  double pressure(double y, double time, double x = 0.) const { return at(time).pressure(y, x); }  ///< as there
 
  private:
   StandingWaveGiven given_;
