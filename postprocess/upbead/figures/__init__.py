@@ -17,6 +17,7 @@ from .model_prototype import model_prototype, model_prototype_panel
 from .reduced_model import reduced_model
 from .reliability import reliability
 from .response import probes, response
+from .sensitivity import sensitivity
 from .sliding_safety import sliding_safety
 from .slip_bottom import slip_bottom
 from .slip_histories import slip_histories
@@ -28,5 +29,5 @@ from .verification import verification
 from .wave_pressure import wave_pressure
 
 __all__ = ["amplitudes", "base_pressures", "calibration", "calibration_spectrum", "expected", "fit", "mesh", "model_prototype",
-           "model_prototype_panel", "probes", "reduced_model", "reliability", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
+           "model_prototype_panel", "probes", "reduced_model", "reliability", "response", "save", "sensitivity", "sliding_safety", "slip_bottom", "slip_histories",
            "slip_safety", "stability", "study", "verification", "wave_pressure"]

@@ -1,0 +1,140 @@
+"""Which soil decides: Sobol's indices of a model of soils, and what each key alone does between the ends of its range.
+
+    with upbead.SoilModel("soils.h5", jobs=2) as model:
+        for of in upbead.sensitivity(model, "storm.csv", ["ratio", "sliding"], samples=1000):
+            print(of.quantity, [(key.key, key.total) for key in of.keys])
+
+Soils are spread evenly over the box of the model, over the logarithm of a key where the box says so. Of the variance of a
+quantity, `first` is the share that a key brings alone, `total` that with all its interactions (Sobol 1993; Homma and
+Saltelli 1996), by the estimators of Martinez (2011) of OpenTURNS, with intervals of 95 %. The box decides them: a key with
+a wide range brings much.
+"""
+
+from dataclasses import asdict, dataclass, field
+
+import numpy as np
+
+from .errors import SoilError, UserError
+from .soil_gradient import number
+
+AT_ONCE = 64  # soils between two tellings of progress
+LEAST = 16  # rows of the design that intervals need
+MOST_LEFT_OUT = 0.1  # of the rows: with more the shares would be those of another box
+
+
+@dataclass
+class KeyShare:
+    """first, total: shares of the variance, with their intervals; None where the quantity does not vary. at_low, at_high:
+    the quantity with this key at the ends of its range and all others as in the case; None where there is no answer."""
+
+    key: str
+    first: float | None = None
+    first_interval: tuple | None = None
+    total: float | None = None
+    total_interval: tuple | None = None
+    at_low: float | None = None
+    at_high: float | None = None
+
+
+@dataclass
+class Sensitivity:
+    """Of one quantity of one wave. value: of the case's own soil. mean, deviation: over the box. soils: how many were
+    answered. left_out: rows of the design that were left out, as one of their soils had no answer, and why the first one had
+    none. largest_error: the largest estimate of the model's error in F_T over its peak."""
+
+    quantity: str
+    value: float | None
+    mean: float | None
+    deviation: float | None
+    soils: int
+    left_out: int
+    why_left_out: str | None
+    largest_error: float
+    keys: list[KeyShare] = field(default_factory=list)
+
+    def summary(self):
+        return asdict(self)
+
+
+def sensitivity(model, wave, quantities, *, samples=1000, seed=1, told=None):
+    """A Sensitivity for each quantity: the name of a number of a wave's answer, or a function of the SoilAnswer.
+
+    samples: rows of the design; samples x (2 + keys) soils are answered. told: called with (soils answered, all soils).
+    """
+    if samples < LEAST:
+        raise UserError(f"{samples} samples give no interval: ask for {LEAST} or more")
+    keys = list(model.box)
+    own = model.respond(wave, {})
+    design = design_of(model.box, samples, seed)
+    answers = answered(model, wave, [dict(zip(keys, map(float, row))) for row in design], told)
+    ends = answered(model, wave, [{key: end} for key in keys for end in model.box[key][:2]], None)
+    return [judged(quantity, keys, design, own, answers, ends) for quantity in quantities]
+
+
+def design_of(box, samples, seed):
+    """Rows of soils by OpenTURNS: two independent samples, then for each key the first with that key of the second."""
+    import openturns as ot
+
+    ot.RandomGenerator.SetSeed(seed)
+    each = [(ot.LogUniform(*map(float, np.log([low, high]))) if logarithmic else ot.Uniform(low, high))
+            for low, high, logarithmic in box.values()]
+    design = np.array(ot.SobolIndicesExperiment(ot.ComposedDistribution(each), samples, False).generate())
+    low, high = (np.array([axis[end] for axis in box.values()]) for end in (0, 1))
+    return np.clip(design, low, high)  # exp(ln x) may be beyond x by its last digit
+
+
+def answered(model, wave, soils, told):
+    found = []
+    for start in range(0, len(soils), AT_ONCE):
+        found += model.respond_all(wave, soils[start : start + AT_ONCE])
+        if told:
+            told(len(found), len(soils))
+    return found
+
+
+def value_of(answer, quantity):
+    """The number, or nan with the reason why there is none."""
+    if isinstance(answer, SoilError):
+        return np.nan, str(answer)
+    try:
+        value = number(answer, quantity)
+    except UserError as error:
+        return np.nan, str(error)
+    return float(value), ""
+
+
+def or_none(value):
+    return float(value) if np.isfinite(value) else None
+
+
+def judged(quantity, keys, design, own, answers, ends):
+    name = quantity if isinstance(quantity, str) else quantity.__name__
+    of_case, why = value_of(own, quantity)
+    values, whys = zip(*(value_of(answer, quantity) for answer in answers))
+    rows = np.reshape(values, (len(keys) + 2, -1))
+    kept = np.isfinite(rows).all(axis=0)
+    why = next((text for text in whys if text), None)
+    if kept.sum() < max(LEAST, (1 - MOST_LEFT_OUT) * kept.size):
+        raise UserError(f"'{name}' has no value for {(~kept).sum()} of {kept.size} rows of soils: {why}; give the model a box that has one")
+    left = rows[:, kept]
+    found = Sensitivity(name, or_none(of_case), float(left[:2].mean()), float(left[:2].std(ddof=1)), int(np.isfinite(values).sum()),
+                        int((~kept).sum()), why, max(a.error for a in answers if not isinstance(a, SoilError)))
+    at = [or_none(value_of(answer, quantity)[0]) for answer in ends]
+    shares = indices(design, kept, left) if found.deviation > 1e-9 * abs(found.mean) else [{} for _ in keys]
+    found.keys = [KeyShare(key, at_low=at[2 * i], at_high=at[2 * i + 1], **share) for i, (key, share) in enumerate(zip(keys, shares))]
+    return found
+
+
+def indices(design, kept, values):
+    import openturns as ot
+
+    blocks = design.reshape(values.shape[0], -1, design.shape[1])[:, kept]
+    algorithm = ot.MartinezSensitivityAlgorithm(blocks.reshape(-1, design.shape[1]), values.reshape(-1, 1), int(kept.sum()))
+    algorithm.setUseAsymptoticDistribution(True)
+    found = []
+    for first, total, *ends in zip(algorithm.getFirstOrderIndices(), algorithm.getTotalOrderIndices(),
+                                   *(getattr(interval, f"get{end}Bound")() for interval in
+                                     (algorithm.getFirstOrderIndicesInterval(), algorithm.getTotalOrderIndicesInterval())
+                                     for end in ("Lower", "Upper"))):
+        found.append({"first": first, "first_interval": tuple(ends[:2]), "total": total, "total_interval": tuple(ends[2:])})
+    return found
