@@ -10,7 +10,9 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <new>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/text.h"
@@ -207,11 +209,17 @@ int tell_failure() {
 }
 
 std::string describe(const NumberedWarnings& warnings) {
+  constexpr int most = 3;  // of a kind; a design of many waves has the same warning for each
   const std::string head = "warning: ", indent(head.size(), ' ');
+  std::map<std::pair<std::string, std::string>, int> seen;  // by name and cure
   std::string text;
   for (const NumberedWarning& warning : warnings)
-    text +=
-        head + warning.name + ": " + (warning.cure.empty() ? "" : warning.cure + "\n" + indent) + warning.what + "\n";
+    if (++seen[{warning.name, warning.cure}] <= most)
+      text +=
+          head + warning.name + ": " + (warning.cure.empty() ? "" : warning.cure + "\n" + indent) + warning.what + "\n";
+  for (const auto& [kind, count] : seen)
+    if (count > most)
+      text += head + kind.first + ": " + std::to_string(count - most) + " more of this kind, all in --json\n";
   return text;
 }
 

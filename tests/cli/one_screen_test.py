@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Claims: `upbead run` prints one screen of at most 30 lines, with verdict, failing checks, F_T/P and S; --details prints every
-number of the summary, a line each.
+number of the summary, a line each; of warnings of one kind the terminal has three and counts the others.
 
 usage: one_screen_test.py PROGRAM CASES_FOLDER
 """
 
 import json
 import re
+from collections import Counter
 
 from program import CASES, ProgramTest, main, upbead
 
@@ -49,6 +50,16 @@ class OneScreen(ProgramTest):
     def test_every_shipped_case_fits_one_screen_at_length(self):
         for case in SHIPPED:
             self.check_screen(case)
+
+    def test_warnings_of_many_waves_are_counted(self):
+        done = upbead("waves", CASES / "fig10/impulsive.toml", "--json", "--out", "out", cwd=self.folder)
+        counted = Counter(warning["name"] for warning in json.loads(done.stdout)["warnings"])
+        self.assertGreater(max(counted.values()), 20)
+        for name, count in counted.items():
+            heads = re.findall(f"^warning: {name}: (.*)$", done.stderr, re.M)
+            self.assertEqual(len(heads), min(count, 4))
+            if count > 3:
+                self.assertEqual(heads[-1], f"{count - 3} more of this kind, all in --json")
 
     def test_details_have_every_key(self):
         case = CASES / "fig2b-model.toml"
