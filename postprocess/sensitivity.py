@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Which soil decides: Sobol's indices of F_T/P, S and others by a model of soils, and a tornado diagram.
 
-usage: sensitivity.py soils.h5 wave.csv [--of ratio --of sliding] [--samples 1000] [--jobs 2] [--out DIR]
+usage: sensitivity.py soils.h5 wave.csv [--of ratio --of sliding] [--samples 300] [--jobs 2] [--out DIR]
 
 Soils are spread over the box of the model; SAMPLES x (2 + keys) soils are answered. Writes sensitivity.json,
 sensitivity.png and sensitivity.csv (a row for each quantity and key) into a folder. docs/soils.md has the meaning.
@@ -62,7 +62,7 @@ def arguments():
     parser.add_argument("model", type=Path, help="soils.h5 of `upbead reduce --soils`")
     parser.add_argument("waves", nargs="+", help="a wave (.csv, .h5, a case), as `upbead respond` takes it")
     parser.add_argument("--of", action="append", metavar="NAME", help="a number of a wave's answer; may be given many times (default: ratio)")
-    parser.add_argument("--samples", type=int, default=1000, help="rows of the design (default: 1000)")
+    parser.add_argument("--samples", type=int, default=300, help="rows of the design (default: 300); the intervals narrow with its root")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="soils at once (default: one for each core)")
     parser.add_argument("--friction", type=float, help="as of `upbead respond`")

@@ -1,7 +1,7 @@
 """Which soil decides: Sobol's indices of a model of soils, and what each key alone does between the ends of its range.
 
     with upbead.SoilModel("soils.h5", jobs=2) as model:
-        for of in upbead.sensitivity(model, "storm.csv", ["ratio", "sliding"], samples=1000):
+        for of in upbead.sensitivity(model, "storm.csv", ["ratio", "sliding"], samples=300):
             print(of.quantity, [(key.key, key.total) for key in of.keys])
 
 Soils are spread evenly over the box of the model, over the logarithm of a key where the box says so. Of the variance of a
@@ -11,6 +11,7 @@ a wide range brings much.
 """
 
 from dataclasses import asdict, dataclass, field
+from difflib import get_close_matches
 
 import numpy as np
 
@@ -56,7 +57,7 @@ class Sensitivity:
         return asdict(self)
 
 
-def sensitivity(model, wave, quantities, *, samples=1000, seed=1, told=None):
+def sensitivity(model, wave, quantities, *, samples=300, seed=1, told=None):
     """A Sensitivity for each quantity: the name of a number of a wave's answer, or a function of the SoilAnswer.
 
     samples: rows of the design; samples x (2 + keys) soils are answered. told: called with (soils answered, all soils).
@@ -65,10 +66,22 @@ def sensitivity(model, wave, quantities, *, samples=1000, seed=1, told=None):
         raise UserError(f"{samples} samples give no interval: ask for {LEAST} or more")
     keys = list(model.box)
     own = model.respond(wave, {})
+    check_names(own, quantities)
     design = design_of(model.box, samples, seed)
     answers = answered(model, wave, [dict(zip(keys, map(float, row))) for row in design], told)
     ends = answered(model, wave, [{key: end} for key in keys for end in model.box[key][:2]], None)
     return [judged(quantity, keys, design, own, answers, ends) for quantity in quantities]
+
+
+def check_names(answer, quantities):
+    """Before an hour is spent."""
+    for name in (name for name in quantities if isinstance(name, str)):
+        if len(answer.waves) != 1:
+            raise UserError(f"'{name}' is of one wave, and there are {len(answer.waves)}; give one, or a function of the answer")
+        known = [key for key, value in answer.waves[0].numbers.items() if not isinstance(value, (str, dict, list))]
+        if name not in known:
+            near = get_close_matches(name, known, 1, 0.4)
+            raise UserError(f"an answer has no number '{name}'; {f'did you mean {near[0]!r}?' if near else ''} it has {', '.join(known)}")
 
 
 def design_of(box, samples, seed):

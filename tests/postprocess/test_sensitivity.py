@@ -11,13 +11,13 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 
 SCRIPTS, PROGRAM, WRITER = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 import upbead  # noqa: E402
+from upbead.soil_answer import SoilAnswer, WaveAnswer  # noqa: E402
 from upbead.soil_model import Axis  # noqa: E402
 
 G, K = "regions.sand.shear_modulus", "regions.sand.hydraulic_conductivity"
@@ -36,7 +36,8 @@ class Known:
         x = {"a": 0.5, "b": np.sqrt(np.e), "c": 2.5, **soil}
         if x["a"] > self.beyond:
             raise upbead.SoilError("beyond", soil)
-        return SimpleNamespace(soil=x, error=1e-4, ratio=x["a"] + 2 * np.log(x["b"]) + x["a"] * (x["c"] - 2.5), sliding=0.0)
+        numbers = {"ratio": x["a"] + 2 * np.log(x["b"]) + x["a"] * (x["c"] - 2.5), "sliding": 0.0}
+        return SoilAnswer(x, 1e-4, [WaveAnswer("wave", numbers)], [])
 
     def respond_all(self, wave, soils):
         found = []
@@ -71,6 +72,10 @@ class Indices(unittest.TestCase):
         self.assertEqual(of.why_left_out, "beyond")
         with self.assertRaisesRegex(upbead.UserError, "'ratio' has no value for .* of 400 rows of soils: beyond"):
             upbead.sensitivity(Known(beyond=0.8), None, ["ratio"], samples=400)
+
+    def test_a_name_that_no_answer_has_is_refused_with_a_near_one(self):
+        with self.assertRaisesRegex(upbead.UserError, "no number 'slidin'; did you mean 'sliding'\\? it has ratio, sliding"):
+            upbead.sensitivity(Known(), None, ["slidin"], samples=50)
 
     def test_too_few_samples_are_refused(self):
         with self.assertRaisesRegex(upbead.UserError, "16 or more"):
