@@ -1,26 +1,8 @@
 #!/usr/bin/python3
-"""Makes one self-contained HTML page of a reduced model or of a design, which computes the response to any wave while
-the user moves its sliders.
-
-The page needs no network and no other file; it can be mailed.
-"""
-
-import argparse
-from pathlib import Path
+"""Makes one self-contained HTML page of a reduced model or of a design; an installation has it as upbead-page."""
 
 import common  # noqa: F401: its hook shows errors without a traceback
-from upbead import page
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("model", type=Path, metavar="MODEL", help="a reduced model, made by 'upbead reduce' (.h5), or the folder with its reduced.h5; "
-                        "or a design (.toml), or the folder that 'upbead waves' wrote of it")
-    parser.add_argument("--design", type=Path, metavar="DESIGN", help="a design beside the model, whose waves the model answers")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="the page (.html); default: page.html beside the model, or in the folder of the results")
-    arguments = parser.parse_args()
-    print(page(arguments.model, arguments.output, arguments.design))
-
+from upbead.scripts.page import main
 
 if __name__ == "__main__":
     main()

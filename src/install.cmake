@@ -26,7 +26,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/upbeadConfig.cmake ${CMAKE_CURRENT_BIN
 # meshes, cases, scripts and pages stand to each other as in the source tree, so that links between them hold
 foreach(folder meshes cases postprocess docs)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${upbead_share} COMPONENT program USE_SOURCE_PERMISSIONS
-    PATTERN __pycache__ EXCLUDE)
+    PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${upbead_share} COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/CHANGELOG.md

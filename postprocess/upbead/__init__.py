@@ -21,15 +21,16 @@ from .live import page
 from .opening import open_model
 from .opening import open_result as open
 from .reduced_model import ReducedModel
+from .reports import report
 from .results import Result
 from .sensitivity import Sensitivity, sensitivity
 from .slip_result import SlipResult
 from .soil_model import SoilModel
 from .study_table import StudyTable
 
-__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "Sensitivity", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "run",
-           "sensitivity", "soil_posterior", "study", "waves"]
+__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run",
+           "soil_posterior", "study", "waves"]
 
 
 def __getattr__(name):

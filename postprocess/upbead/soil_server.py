@@ -8,6 +8,7 @@ import tempfile
 import threading
 
 from .errors import CaseError, NumericsError, UpbeadError
+from .program import environment
 
 
 class SoilServer:
@@ -18,7 +19,7 @@ class SoilServer:
         self.pid, self.folder, self.told = os.getpid(), folder, tempfile.TemporaryFile()
         # a group of its own: Ctrl-C is for Python, and its child ends with its input
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.told, text=True,
-                                        encoding="utf-8", start_new_session=True)
+                                        encoding="utf-8", start_new_session=True, env=environment(command[0]))
 
     def ask(self, soil):
         """The answer to {key: value}, a dict."""

@@ -31,7 +31,7 @@ def literals(node):
 def spoken_words():
     """{words: file} of every literal that the code passes to the functions of report.language."""
     found = {}
-    for file in sorted((SCRIPTS / "report").rglob("*.py")):
+    for file in sorted((SCRIPTS / "upbead/reporting").rglob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("say", "phrase", "heads"):
                 found |= {word: file.name for argument in node.args for word in literals(argument)}
@@ -75,7 +75,7 @@ class Words(unittest.TestCase):
                 self.assertRegex(japanese, "[ぁ-んァ-ヶ一-龠]", english)
 
     def test_no_word_stands_twice_in_the_table(self):
-        files = sorted((SCRIPTS / "report" / "words").glob("*.toml"))
+        files = sorted((SCRIPTS / "upbead/reporting" / "words").glob("*.toml"))
         keys = [key for file in files for key in tomllib.loads(file.read_text(encoding="utf-8"))]
         self.assertEqual(len(keys), len(set(keys)))
 

@@ -1,0 +1,43 @@
+"""What a wheel contains beside the Python package: the program as `cmake --install` puts it, without what Python has
+already, and on request the libraries that it is linked with."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+PROGRAMS = ("upbead", "upbead-solver", "upbead-reliability")
+# of the system, on which every manylinux wheel stands, too: the C library, the dynamic linker, the C++ library and the kernel's
+OF_THE_SYSTEM = re.compile(r"^(lib(c|m|dl|rt|pthread|resolv|util|stdc\+\+|gcc_s)\.so\.\d+|ld-linux.*|linux-vdso.*)$")
+
+
+def install(build, target, bundle):
+    """Installs the program of a build folder below `target`."""
+    shutil.rmtree(target, ignore_errors=True)
+    subprocess.run(["cmake", "--install", build, "--prefix", target, "--component", "program", "--strip"], check=True,
+                   stdout=subprocess.DEVNULL)
+    for left in ("share/upbead/postprocess", "share/man", "share/bash-completion", "share/upbead/docs"):
+        shutil.rmtree(target / left, ignore_errors=True)
+    docs = Path(__file__).resolve().parents[1] / "docs"
+    (target / "share/upbead/docs").mkdir()
+    for page in ("case.md", "design.md"):  # from their tables a report has the meaning of keys
+        shutil.copy(docs / page, target / "share/upbead/docs" / page)
+    if bundle:
+        add_libraries(target)
+
+
+def add_libraries(target):
+    """Copies every library that the programs load, and tells them to look there."""
+    folder = target / "lib"
+    folder.mkdir(exist_ok=True)
+    programs = [target / "bin" / name for name in PROGRAMS]
+    for name, path in sorted({pair for program in programs for pair in libraries(program)}):
+        shutil.copy(path, folder / name)  # a link becomes the file
+        subprocess.run(["strip", "--strip-unneeded", folder / name], check=False, stderr=subprocess.DEVNULL)
+
+
+def libraries(program):
+    """[(name, path)] of what the dynamic linker would load."""
+    told = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
+    found = [(line.split()[0], Path(line.split()[2])) for line in told.splitlines() if " => /" in line]
+    return [(name, path) for name, path in found if not OF_THE_SYSTEM.match(name)]

@@ -1,0 +1,38 @@
+"""The HTML document around the sections: style, scripts, and the words that the scripts show."""
+
+from pathlib import Path
+
+from .language import say, spoken
+from .markup import Markup, data, tag
+
+HERE = Path(__file__).parent
+SCRIPTS = ("clock.js", "plot.js", "raster.js", "deformed.js", "animation.js")
+OF_SCRIPTS = (
+    "reset",
+    "show all",
+    "play",
+    "pause",
+    "time",
+    "colour",
+    "pore pressure",
+    "strength mobilised",
+    "deformed section",
+    "plot; arrow keys move through time",
+    "Drag or arrow keys: move through time.",
+    "plot that can be zoomed",
+    "Drag across to zoom, pinch, double tap to reset; tap to read off.",
+    "Drag to zoom, double click to reset; after a click the wheel zooms and arrow keys move. Point to read off.",
+)
+
+
+def document(title, body):
+    style = tag("style", Markup((HERE / "page.css").read_text(encoding="utf-8")))
+    scripts = (tag("script", Markup((HERE / name).read_text(encoding="utf-8"))) for name in SCRIPTS)
+    meta = (
+        tag("meta", charset="utf-8"),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("link", rel="icon", href="data:,"),
+    )
+    words = data({word: say(word) for word in OF_SCRIPTS}, "words")
+    inside = tag("head", *meta, tag("title", title), style), tag("body", tag("main", body), words, *scripts)
+    return "<!DOCTYPE html>\n" + tag("html", *inside, lang=spoken()) + "\n"

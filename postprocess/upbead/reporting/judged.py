@@ -1,0 +1,63 @@
+"""What the checks and the warnings of a summary say, for the first page of every document."""
+
+from .language import listed, named, phrase, say, sentences
+from .language import told as words_of
+from .markup import Markup, join, prose, tag
+from .units import quantity
+from .. import told
+
+
+def verdict(summary):
+    """Sentences, and a list of all checks that fail; it says that all hold only where nothing speaks against it."""
+    checks = told.checks(summary)
+    words = sentences([void(summary), rest(summary), checked(summary), doubt(summary)])
+    return join([tag("p", words) if words else "", failing(checks)])
+
+
+def failing(checks):
+    """A list of the checks that fail, worst first; empty if none does."""
+    items = [tag("li", told.check_text(check)) for check in checks if told.fails(check)]
+    return tag("ul", *items, class_="fails") if items else ""
+
+
+def void(summary):
+    why = told.void(summary)
+    return tag("strong", phrase("No verdict may be drawn: {why}.", why=why.rstrip(".")), class_="fails") if why else ""
+
+
+def rest(summary):
+    """Whether the ground stands at all, where strength was reduced."""
+    found = summary.get("safety") or {}
+    lower, upper = (found.get(key) for key in ("lower", "upper"))
+    if lower is None and upper is None:
+        return ""
+    least, most = (say("none") if value is None else quantity(value, digits=4) for value in (lower, upper))
+    words = phrase("At rest the ground stands with its strength divided by {least}; divided by {most} no equilibrium was found.", least=least, most=most)
+    if min(value for value in (lower, upper) if value is not None) >= 1:
+        return words
+    fails = tag("strong", say("The ground does not stand under its own weight and what stands on it."), class_="fails")
+    return sentences([fails, words])
+
+
+def checked(summary):
+    """A sentence on the results of the checks against limits."""
+    checks = told.checks(summary)
+    asked = [check for check in checks if told.is_judged(check)]
+    failed = [check for check in asked if told.fails(check)]
+    if not asked:
+        return say("No check has a limit.") if checks else ""
+    if failed:
+        names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))
+        words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
+        return tag("strong", words, class_="fails")
+    if told.void(summary) or told.warnings(summary):
+        return say("Of {asked} checks with a limit none fails; what is said against that stands here and below.", asked=len(asked))
+    return say("Of {asked} checks with a limit all hold.", asked=len(asked))
+
+
+def doubt(summary):
+    """A sentence on the warnings of the program, which make the statements above less certain."""
+    names = listed(dict.fromkeys(named(name) for name, _ in told.warnings(summary)))
+    if not names:
+        return Markup("")
+    return tag("strong", phrase("The program warns of: {names}. All numbers here stand under these warnings.", names=names))

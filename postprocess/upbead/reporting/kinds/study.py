@@ -1,0 +1,138 @@
+"""The document of a study: how a number depends on the keys that were varied."""
+
+import numpy as np
+
+from .. import figure
+from ..head import card
+from .frame import result_section
+from ..language import heads, phrase, say, told
+from ..markup import Markup, fold, join, prose, table, tag
+from ..plot import Line, Panel, Plot
+from ..units import plain, quantity
+from ... import outputs
+from ...study_axes import default_axes, is_drawn, rank_correlation
+
+COMMAND = "study"
+KIND = "Report of a study by upbead"
+QUESTION = "How do the answers depend on the keys that were varied?"
+FLAGS = ("checks_failing", "warnings")  # columns of every study
+MOST_LINES = 6  # as many colours
+MOST_ROWS = 400
+SHARES = (5, 50, 95)
+
+
+def verdict(study):
+    words = [phrase("{count} runs were done.", count=len(study))]
+    failed = len(study.failed)
+    if failed:
+        words.append(tag("strong", phrase("{count} more failed, and nothing here knows of them.", count=failed), class_="fails"))
+    cards = [extent_card(study, name) for name in numeric(study)[:3]]
+    for name in numeric(study)[:1]:
+        low, high = extent(study, name)
+        words.append(phrase("{what} lies between {low} and {high}.", what=title_of(name),
+                            low=value_of(name, low, 3), high=value_of(name, high, 3)))  # fmt: skip
+        words.append(say("That is the extent of these runs, and not of all that could be."))
+    missing = [name for name in study.reads if study.numbers(name) is not None and np.isnan(study.numbers(name)).any()]
+    if missing:
+        words.append(phrase("Some runs have no value of {names}.", names=join([tag("code", name) for name in missing], ", ")))
+    return words, cards
+
+
+def numeric(study):
+    """The numbers read from the runs that at least one run has."""
+    return [name for name in study.reads if study.numbers(name) is not None and np.isfinite(study.numbers(name)).any()]
+
+
+def extent(study, name):
+    values = study.numbers(name)
+    return float(np.nanmin(values)), float(np.nanmax(values))
+
+
+def extent_card(study, name):
+    low, high = extent(study, name)
+    between = phrase("{low} to {high}", low=value_of(name, low, 3), high=value_of(name, high, 3))
+    return card(title_of(name), between, tag("code", name))
+
+
+def title_of(name):
+    words = told(outputs.label(name)) or name
+    return prose(words[:1].upper() + words[1:])
+
+
+def value_of(name, value, digits=4):
+    return quantity(value, outputs.unit(name), digits=digits) if np.isfinite(value) else say("none")
+
+
+def sections(study):
+    return [
+        result_section("Results", "results", *(drawn(study, name, key) for name in numeric(study)[:1] for key in axes(study))),
+        result_section("Values", "values", spread(study), runs(study)),
+    ]
+
+
+def axes(study):
+    return [key for key in default_axes(study) if study.numbers(key) is not None]
+
+
+def drawn(study, name, key):
+    """A figure of one number against one key."""
+    x, y, random = study.numbers(key), study.numbers(name), is_drawn(study, key)
+    good = np.isfinite(x) & np.isfinite(y)
+    if good.sum() < 2:
+        return ""
+    lines = [Line(" ", x[good], y[good], 0, dots=True)] if random else courses(study, key, x, y, good)
+    caption = phrase("{what} against {key}.", what=title_of(name), key=tag("code", key))
+    if random:
+        correlation = plain(float(round(rank_correlation(x[good], y[good]), 2)))
+        caption = join([caption, " ", say("Rank correlation {value}.", value=correlation)])
+    axis = (key.rpartition(".")[2].replace("_", " "), study.units.get(key, ""))
+    plot = Plot("study-" + key.replace(".", "-"), [Panel(outputs.unit(name), lines, height=240)], axis=axis)
+    return figure.of_plot(plot, caption)
+
+
+def courses(study, key, x, y, good):
+    """A line for each combination of the other keys, or points if there are too many combinations."""
+    others = [other for other in study.keys if other != key and not is_drawn(study, other)]
+    combinations = list(zip(*(study.words(other) for other in others))) or [()] * len(x)
+    different = list(dict.fromkeys(combinations))
+    if len(different) > MOST_LINES:
+        return [Line(" ", x[good], y[good], 0, dots=True)]
+    lines = []
+    for colour, one in enumerate(different):
+        chosen = good & np.array([found == one for found in combinations])
+        order = np.argsort(x[chosen], kind="stable")
+        name = ", ".join(f"{other.rpartition('.')[2].replace('_', ' ')} {value}" for other, value in zip(others, one))
+        if chosen.sum() > 1:
+            lines.append(Line(name or " ", x[chosen][order], y[chosen][order], colour))
+    return lines or [Line(" ", x[good], y[good], 0, dots=True)]
+
+
+def spread(study):
+    """Least, median and largest of each number."""
+    rows = []
+    for name in numeric(study):
+        values = study.numbers(name)
+        values = values[np.isfinite(values)]
+        row = [values.min(), *np.percentile(values, SHARES), values.max()]
+        rows.append((join([title_of(name), " ", tag("code", name)]), *(value_of(name, float(value)) for value in row)))
+    return table(heads("number", "least", "5 %", "median", "95 %", "largest"), rows, "numbers") if rows else ""
+
+
+def runs(study):
+    """A table of all runs that can be folded."""
+    names = [*study.keys, *study.reads, *(name for name in FLAGS if name in study.columns)]
+    rows = [(row["run"], *(cell(study, name, row[name]) for name in names)) for row in study.rows[:MOST_ROWS]]
+    head = [say("run"), *(tag("code", name) for name in names)]
+    count = say("{count} runs one by one", count=len(rows))
+    left = len(study.rows) - len(rows)
+    rest = tag("p", say("{count} more stand in {file}.", count=left, file="study.csv"), class_="quiet") if left else Markup("")
+    return fold(count, table(heads(*(Markup(part) for part in head)), rows, "numbers"), rest, open_=len(rows) <= 40)
+
+
+def cell(study, name, value):
+    if value == "":
+        return say("none")
+    try:
+        return quantity(float(value), study.units.get(name) or outputs.unit(name))
+    except ValueError:
+        return value

@@ -1,0 +1,132 @@
+"""A wheel has the whole package and the program, and works in a venv that sees nothing of Debian's but what the package
+says that it needs.
+
+usage: test_wheel.py FOLDER_OF_THE_PROJECT FOLDER_OF_THE_BUILD
+"""
+
+import configparser
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+import zipfile
+from pathlib import Path
+
+PROJECT, BUILD = (Path(argument).resolve() for argument in sys.argv[1:3])
+PYTHON, DEBIAN = "/usr/bin/python3", Path("/usr/lib/python3/dist-packages")
+# numpy, h5py and matplotlib, and what these need in turn
+NEEDED = ("numpy", "h5py", "matplotlib", "mpl_toolkits", "packaging", "PIL", "kiwisolver", "contourpy", "cycler", "cycler.py", "dateutil", "pyparsing",
+          "pyparsing.py", "six.py", "fontTools", "pylab.py")
+LEFT = ("UPBEAD", "UPBEAD_MESHES", "PYTHONPATH", "UPBEAD_BUNDLE")
+
+
+def call(*command, **variables):
+    environment = {key: value for key, value in os.environ.items() if key not in LEFT} | variables
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False, env=environment)
+    if done.returncode != 0:
+        raise AssertionError(f"{' '.join(map(str, command))}\n{done.stdout}\n{done.stderr}")
+    return done.stdout
+
+
+def declared(path):
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+@unittest.skipIf(shutil.which("pip3", path="/usr/bin") is None, "no pip of Debian")
+class Wheel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.source = cls.folder / "source"
+        shutil.copytree(PROJECT / "postprocess/upbead", cls.source / "postprocess/upbead", ignore=shutil.ignore_patterns("__pycache__"))
+        for name in ("pyproject.toml", "setup.py"):
+            shutil.copy(PROJECT / name, cls.source)
+        for name in ("packaging", "docs", "LICENSE"):
+            (cls.source / name).symlink_to(PROJECT / name)
+        cls.wheel = cls.made(UPBEAD_PROGRAM=str(BUILD))
+        cls.venv = cls.folder / "venv"
+        call(PYTHON, "-m", "venv", "--without-pip", cls.venv)
+        site = next(cls.venv.glob("lib/python3*/site-packages"))
+        for name in NEEDED:
+            if (DEBIAN / name).exists():
+                (site / name).symlink_to(DEBIAN / name)
+        call("/usr/bin/pip3", "--python", cls.venv / "bin/python", "install", "--no-index", "--no-deps", cls.wheel)
+
+    @classmethod
+    def made(cls, **variables):
+        target = Path(tempfile.mkdtemp(dir=cls.folder))
+        call("/usr/bin/pip3", "wheel", cls.source, "--no-build-isolation", "--no-deps", "--no-index", "-w", target, **variables)
+        return next(target.glob("*.whl"))
+
+    def python(self, code):
+        return call(self.venv / "bin/python", "-B", "-I", "-c", code)
+
+    def test_it_has_every_file_of_the_package(self):
+        names = set(zipfile.ZipFile(self.wheel).namelist())
+        package = PROJECT / "postprocess/upbead"
+        kept = {str(path.relative_to(package.parent)) for path in package.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
+        self.assertEqual(kept - names, set())
+        self.assertRegex(self.wheel.name, r"^upbead-[\d.]+-py3-none-linux_\w+\.whl$")
+
+    def test_without_the_program_it_is_for_every_machine(self):
+        wheel = self.made(UPBEAD_PROGRAM="no")
+        self.assertTrue(wheel.name.endswith("-py3-none-any.whl"), wheel.name)
+        self.assertFalse([name for name in zipfile.ZipFile(wheel).namelist() if "/installed/" in name])
+        self.assertLess(wheel.stat().st_size, 1e6)
+
+    def test_nothing_of_debian_is_seen_but_what_is_named(self):
+        self.assertEqual(self.python("import importlib.util as u; print([n for n in ('scipy', 'pandas', 'h5py') if u.find_spec(n)])").strip(), "['h5py']")
+
+    def test_commands(self):
+        commands = self.venv / "bin"
+        entries = configparser.ConfigParser()
+        file = zipfile.ZipFile(self.wheel)
+        entries.read_string(file.read(next(name for name in file.namelist() if name.endswith("entry_points.txt"))).decode())
+        self.assertEqual(set(entries["console_scripts"]), {"upbead", "upbead-report", "upbead-page", "upbead-fit"})
+        for name in entries["console_scripts"]:
+            self.assertIn("usage", call(commands / name, "--help").lower(), name)
+        self.assertEqual(call(commands / "upbead", "--version"), call(BUILD / "upbead", "--version"))
+
+    def test_from_a_case_to_a_report(self):
+        out, commands = self.folder / "out", self.venv / "bin"
+        inside = self.python("from upbead import places; print(places.share())").strip()
+        self.assertTrue(Path(inside).is_relative_to(self.venv), inside)
+        call(commands / "upbead", "run", f"{inside}/cases/fig2b-model.toml", "--set", "mesh.parameters.cells=0.4", "--out", out)
+        summary = json.loads((out / "summary.json").read_text())
+        ratio = summary["response"]["shear_to_force_ratio"]
+        told = self.python(f"import upbead; print(upbead.open({str(out)!r}).summary['response']['shear_to_force_ratio'], upbead.report({str(out)!r}))")
+        self.assertEqual(told.split(), [str(ratio), f"{out}/report.html"])
+        page = (out / "report.html").read_text(encoding="utf-8")
+        self.assertIn("share of the pores in the volume", page)  # from docs/case.md of the wheel
+        call(commands / "upbead-report", out)
+        self.assertEqual((out / "report.html").read_text(encoding="utf-8"), page)
+
+    def test_every_module_can_be_imported_by_itself(self):
+        """But those that draw need matplotlib, those that fit SciPy, which is an extra."""
+        package = PROJECT / "postprocess/upbead"
+        names = [".".join(path.relative_to(package.parent).with_suffix("").parts).removesuffix(".__init__") for path in package.rglob("*.py")]
+        code = ("import importlib, sys\nfor name in sys.argv[1:]:\n    try:\n        importlib.import_module(name)\n"
+                "    except ModuleNotFoundError as error:\n        print(name, error.name)\n")
+        done = call(self.venv / "bin/python", "-B", "-I", "-c", code, *names)
+        self.assertEqual({line.split()[1].partition(".")[0] for line in done.splitlines()} - {"scipy"}, set(), done)
+
+
+class Declared(unittest.TestCase):
+    def test_both_ways_of_installing_say_the_same(self):
+        whole, alone = (declared(PROJECT / path) for path in ("pyproject.toml", "postprocess/pyproject.toml"))
+        for key in ("version", "dependencies", "optional-dependencies", "requires-python"):
+            self.assertEqual(whole["project"][key], alone["project"][key], key)
+        for key in ("packages", "package-data"):
+            self.assertEqual(whole["tool"]["setuptools"][key], alone["tool"]["setuptools"][key], key)
+        program = re.search(r"project\(upbead VERSION ([\d.]+)", (PROJECT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+        self.assertEqual(whole["project"]["version"], program)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
