@@ -7,12 +7,15 @@
 docs/python.md is a tutorial.
 """
 
+from __future__ import annotations
+
 import importlib
+from typing import Any
 
 from . import msh
 from .commands import calibrate, expected, reduce, reliability, run, study, waves
 from .cfd import read_cfd
-from .errors import CaseError, ModelError, NumericsError, SoilError, UpbeadError, UserError
+from .errors import CaseError, ModelError, NumericsError, SoilError, UnknownName, UpbeadError, UserError
 from .fit import fit
 from .fit_result import Fit
 from .fit_soils import SoilRecord, soil_posterior
@@ -23,17 +26,20 @@ from .opening import open_result as open
 from .reduced_model import ReducedModel
 from .reports import report
 from .results import Result
-from .sensitivity import Sensitivity, sensitivity
+from .scene import Scene
 from .slip_result import SlipResult
 from .soil_model import SoilModel
 from .study_table import StudyTable
+from .tables import MissingPackage
+from .calibration_result import CalibrationResult
+from .expected_result import ExpectedResult
 
-__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run",
-           "soil_posterior", "study", "waves"]
+__all__ = ["CalibrationResult", "CaseError", "ExpectedResult", "Fit", "History", "MissingPackage", "ModelError", "NumericsError", "ReducedModel", "Result",
+           "Scene", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable", "UnknownName", "UpbeadError", "UserError", "calibrate", "expected",
+           "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run", "soil_posterior", "study", "waves"]
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Loads `figures` when it is first used, as matplotlib takes longer to load than the rest of the package."""
     if name == "figures":
         return importlib.import_module(".figures", __name__)

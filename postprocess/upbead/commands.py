@@ -1,36 +1,87 @@
 """The program's commands as functions: each calls the program and opens its results."""
 
-import warnings
-from pathlib import Path
+from __future__ import annotations
 
+import warnings
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import Any, Optional, Union
+
+from .calibration_result import CalibrationResult
 from .errors import NumericsError
+from .expected_result import ExpectedResult
+from .named import Named
 from .opening import open_model, open_result
 from .program import call, settings
+from .reduced_model import ReducedModel
+from .results import Result
+from .study_table import StudyTable
+from .waves_result import WavesSummary
+from .written_case import Case, as_file, name_of
+
+Place = Optional[Union[str, "PathLike[str]"]]
+Values = Optional[Mapping[str, Any]]
 
 
-def run(case, set=None, out=None, program=None):
-    """Solves a case: `upbead run`. Returns its Result.
+def run(case: Case, set: Values = None, out: Place = None, program: Place = None) -> Result:
+    """Solves a case: `upbead run`.
 
-    case: path of a case file. set: {key: value} instead of the case's values, as {"loads.impulse.factor": 5.0}.
-    out: folder for the results (default: results/NAME, NAME of the case file). program: path of the program.
-    Raises CaseError with every mistake of the input and its cure, NumericsError if the case cannot be solved.
+    Parameters
+    ----------
+    case : path or mapping
+        A case file; or its tables as dicts, {"regions": {"seabed": {...}}}, or a Scene. In a mapping the `history` of a load may
+        be (times, values) or a function f(t), and its `gauges` a function p(s, t) (docs/python.md).
+    set : dict, optional
+        Keys with dots instead of the case's values, as {"loads.impulse.factor": 5.0}.
+    out : path, optional
+        Folder for the results; default: results/NAME, NAME of the case file, or by the title.
+    program : path, optional
+        The program; default: see `upbead.program.find`.
+
+    Returns
+    -------
+    Result
+        A SlipResult if the bottom slips or lifts.
+
+    Raises
+    ------
+    CaseError
+        With every mistake of the input and its cure.
+    NumericsError
+        The case cannot be solved.
     """
-    return open_result(written("run", case, set, out, program, ""))
+    found: Result = open_result(written("run", case, set, out, program, ""))
+    return found
 
 
-def reduce(case, set=None, out=None, program=None):
-    """Solves a scene once for all waves: `upbead reduce`. Returns its ReducedModel. Arguments as for run."""
+def reduce(case: Case, set: Values = None, out: Place = None, program: Place = None) -> ReducedModel:
+    """Solves a scene once for all waves: `upbead reduce`. Parameters and errors as of `run`."""
     return open_model(written("reduce", case, set, out, program, ""))
 
 
-def study(file, set=None, out=None, jobs=None, program=None):
-    """Varies keys of cases: `upbead study`. Returns its StudyTable, with the runs that failed in `failed`.
+def study(file: Case, set: Values = None, out: Place = None, jobs: int | None = None, program: Place = None) -> StudyTable:
+    """Varies keys of cases: `upbead study`.
 
-    jobs: runs at once (default: one per core). A study that was interrupted is continued. Other arguments as for run.
+    Parameters
+    ----------
+    file : path or mapping
+        A study file, or its tables as dicts; its `case` may be a mapping, too.
+    set, out, program
+        As of `run`.
+    jobs : int, optional
+        Runs at once; default: one per core. A study that was interrupted is continued.
+
+    Returns
+    -------
+    StudyTable
+        With the runs that failed in `failed`; Python warns of them.
     """
     more = ["--jobs", jobs] if jobs else []
+    table: StudyTable
     try:
-        return open_result(written("study", file, set, out, program, "", more))
+        table = open_result(written("study", file, set, out, program, "", more))
+        return table
     except NumericsError as error:  # by this the program reports that some runs failed
         folder = folder_of(file, out, "")
         if not (folder / "study.csv").is_file():
@@ -40,33 +91,38 @@ def study(file, set=None, out=None, jobs=None, program=None):
         return table
 
 
-def waves(design, set=None, out=None, program=None):
-    """Pressure, safety and sliding of given waves by formulas: `upbead waves`. Returns its summary as a dict."""
-    return open_result(written("waves", design, set, out, program, ""))
+def waves(design: Case, set: Values = None, out: Place = None, program: Place = None) -> WavesSummary:
+    """Pressure, safety and sliding of given waves by formulas: `upbead waves`. Returns its summary, a dict. Parameters and
+    errors as of `run`."""
+    found: WavesSummary = open_result(written("waves", design, set, out, program, ""))
+    return found
 
 
-def expected(design, set=None, out=None, program=None):
-    """Expected sliding distance: `upbead expected`. Returns its ExpectedResult. Arguments as for run."""
-    return open_result(written("expected", design, set, out, program, "-expected"))
+def expected(design: Case, set: Values = None, out: Place = None, program: Place = None) -> ExpectedResult:
+    """Expected sliding distance: `upbead expected`. Parameters and errors as of `run`."""
+    found: ExpectedResult = open_result(written("expected", design, set, out, program, "-expected"))
+    return found
 
 
-def reliability(design, set=None, out=None, program=None):
-    """Probabilities of failure: `upbead reliability`. Returns its summary as a dict."""
-    return open_result(written("reliability", design, set, out, program, "-reliability"))
+def reliability(design: Case, set: Values = None, out: Place = None, program: Place = None) -> Named:
+    """Probabilities of failure: `upbead reliability`. Returns its summary, a dict. Parameters and errors as of `run`."""
+    found: Named = open_result(written("reliability", design, set, out, program, "-reliability"))
+    return found
 
 
-def calibrate(design, set=None, out=None, program=None):
-    """k(alpha*) from the caisson's own dynamics: `upbead calibrate`. Returns its CalibrationResult."""
-    return open_result(written("calibrate", design, set, out, program, "-calibration"))
+def calibrate(design: Case, set: Values = None, out: Place = None, program: Place = None) -> CalibrationResult:
+    """k(alpha*) from the caisson's own dynamics: `upbead calibrate`. Parameters and errors as of `run`."""
+    found: CalibrationResult = open_result(written("calibrate", design, set, out, program, "-calibration"))
+    return found
 
 
-def folder_of(file, out, ending):
+def folder_of(file: Case, out: Place, ending: str) -> Path:
     """The folder to which the program writes."""
-    return Path(out) if out else Path("results") / (Path(file).stem + ending)
+    return Path(out) if out else Path("results") / name_of(file, ending)
 
 
-def written(command, file, values, out, program, ending, more=()):
+def written(command: str, file: Case, values: Values, out: Place, program: Place, ending: str, more: list[Any] | tuple[()] = ()) -> Path:
     """Calls the program; returns the folder of its results."""
     folder = folder_of(file, out, ending)
-    call([command, file, "--out", folder, *settings(values), *more], program)
+    call([command, as_file(file, folder), "--out", folder, *settings(values), *more], program)
     return folder

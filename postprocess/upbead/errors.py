@@ -9,6 +9,13 @@ class UserError(UpbeadError):
     """An error that the caller can correct: a folder without results, a name that does not exist."""
 
 
+class UnknownName(UserError, KeyError):
+    """A name that is not there; the text says what is near."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class CaseError(UserError):
     """The program refused its input (exit code 1). The text is the program's own: every mistake with its cure."""
 
@@ -21,12 +28,12 @@ class SoilError(UserError):
     """A model of soils does not answer a soil: it lies outside the box, or its model did not converge. The text says
     why; `soil` is what was asked."""
 
-    def __init__(self, text, soil=None):
+    def __init__(self, text: str, soil: object = None) -> None:
         super().__init__(text, soil)
         self.soil = soil
 
-    def __str__(self):
-        return self.args[0]
+    def __str__(self) -> str:
+        return str(self.args[0])
 
 
 class NumericsError(UpbeadError):

@@ -1,49 +1,64 @@
 """The results of `upbead run`: results.h5, summary.json and case.toml of a folder."""
 
+from __future__ import annotations
+
 import json
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
+from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
 
-from .errors import UserError
+from .errors import UnknownName, UserError
 from .h5 import open_h5
 from .history import History
+from .named import Named, named
+from .near import hint
 from .shown import Shown
+from .tables import data_frame, data_set, long_columns
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Folder = str | PathLike[str]
 
 
-def text_of(value):
+def text_of(value: Any) -> str:
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
-def read_summary(folder):
+def read_summary(folder: Folder) -> Named:
     """The summary of a folder as a dict; empty where there is none."""
     path = Path(folder) / "summary.json"
     if not path.is_file():
-        return {}
+        return Named()
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
+        found: Named = json.loads(path.read_text(encoding="utf-8"), object_hook=Named)
+        return found
     except (ValueError, RecursionError) as error:
         raise UserError(f"'{path}' is no JSON: {error}") from error
 
 
-def read_case(folder):
+def read_case(folder: Folder) -> Named:
     """The effective case of a folder, with all defaults, as a dict; empty where there is none."""
     path = Path(folder) / "case.toml"
     if not path.is_file():
-        return {}
+        return Named()
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        found: Named = named(tomllib.loads(path.read_text(encoding="utf-8")))
+        return found
     except (ValueError, RecursionError) as error:
         raise UserError(f"'{path}' is no TOML: {error}") from error
 
 
-def command_of(folder):
+def command_of(folder: Folder) -> str | None:
     """The command of the program that wrote the results of a folder, or None."""
-    folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else {}
+    folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else Named()
     for command, is_it in (
         ("sheet", "parts" in summary),
         ("study", (folder / "study.csv").is_file()),
@@ -60,7 +75,7 @@ def command_of(folder):
     return None
 
 
-def require(folder, command):
+def require(folder: Folder, command: str) -> None:
     """Raises UserError where a folder has no results of this command, and says whose it has."""
     found = command_of(folder)
     if found != command:
@@ -68,15 +83,26 @@ def require(folder, command):
         raise UserError(f"'{folder}' holds no results of 'upbead {command}', {whose}")
 
 
-class Result(Shown, Mapping):
+class Result(Shown, Mapping[str, History]):
     """The histories and tables of one run; a mapping of the histories by their paths below /history.
 
+    Attributes
+    ----------
+    folder : Path
+        Where results.h5, summary.json and case.toml are.
+    time : History, shape (N,), s
+        Of every history.
+    summary : dict
+        summary.json: docs/output.md has each key with its unit.
+
+    Notes
+    -----
     `result["shear_force"]`, `result["caisson/displacement_x"]` are `History`: numpy arrays with `unit` and
     `description`, of the length of `result.time`. `result["/interface/slip"]`, with a slash in front, is any dataset
     of results.h5; `result.table("interface")` are all datasets of a group. SI units throughout.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder: Folder) -> None:
         self.folder = folder = Path(folder)
         if not folder.is_dir():
             raise UserError(f"there is no folder '{folder}'")
@@ -96,75 +122,140 @@ class Result(Shown, Mapping):
         self.summary = read_summary(folder)
 
     @cached_property
-    def case(self):
+    def case(self) -> Named:
         """The case with all defaults (case.toml), as a dict."""
         return read_case(self.folder)
 
     @property
-    def title(self):
-        return self.summary.get("title") or self.folder.resolve().name
+    def title(self) -> str:
+        return str(self.summary.get("title") or self.folder.resolve().name)
 
     @property
-    def has_caisson(self):
+    def has_caisson(self) -> bool:
         return "/history/shear_force" in self.file
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> History:
         return self.dataset(name) if name.startswith("/") else self.history(name)
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return isinstance(name, str) and isinstance(self.file.get(name if name.startswith("/") else f"/history/{name}"),
                                                     h5py.Dataset)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(datasets(self.file["/history"]))
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(datasets(self.file["/history"]))
 
     __eq__, __hash__ = object.__eq__, object.__hash__  # results are not compared number by number
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         name = type(self).__name__
         return f"<{name} '{self.title}': {len(self)} histories of {self.time.size} times, to {self.time[-1]:.4g} s>"
 
-    def __enter__(self):
+    def __enter__(self) -> Result:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.file.close()
 
-    def history(self, name):
-        """One quantity over time, by its path below /history."""
+    def history(self, name: str) -> History:
+        """One quantity over time, shape (N,), by its path below /history."""
         full_name = f"/history/{name}"
         history = self.dataset(full_name)
         if history.ndim != 1 or (name != "time" and history.size != self.time.size):
             raise UserError(f"'{self.path}': {full_name} has the shape {history.shape}, not that of /history/time")
         return history
 
-    def dataset(self, name):
+    def dataset(self, name: str) -> History:
         """Any numbers of results.h5, by their full path."""
         data = self.file.get(name)
         if not isinstance(data, h5py.Dataset):
-            raise UserError(f"'{self.path}' has no dataset {name}")
+            raise UnknownName(f"'{self.path}' has no dataset {name}{hint(name, self.meanings(name))}")
         return History(data[()], text_of(data.attrs.get("unit", "")), text_of(data.attrs.get("description", "")))
 
+    def meanings(self, name: str) -> dict[str, str]:
+        """{dataset: its description} of those that might be meant: the histories, or with a slash in front all of the file."""
+        inside = name.startswith("/history/")
+        group = self.file["/history"] if inside else self.file
+        marks = {one: text_of(group[one].attrs.get("description", "")) for one in datasets(group)}
+        return {one if inside else f"/{one}": mark for one, mark in marks.items()}
+
     @property
-    def tables(self):
+    def tables(self) -> list[str]:
         """Names of the groups other than /history, for `table`: interface, coupled, base, at_times, dense,
         measured/NAME."""
         groups = {name: group for name, group in self.file.items() if isinstance(group, h5py.Group)}
         nested = groups.pop("measured", {})
         return [name for name in groups if name not in ("history", "fields")] + [f"measured/{name}" for name in nested]
 
-    def table(self, name):
+    def table(self, name: str) -> dict[str, History]:
         """All datasets of a group other than /history, by name: {"position": History, ...}."""
         group = self.file.get(name)
         if not isinstance(group, h5py.Group):
             known = ", ".join(self.tables) or "none"
-            raise UserError(f"'{self.path}' has no table '{name}'; its tables are: {known}")
+            raise UnknownName(f"'{self.path}' has no table '{name}'; its tables are: {known}")
         return {key: self.dataset(f"/{name}/{key}") for key in datasets(group)}
 
-    def measured(self):
+    def to_pandas(self, table: str | None = None) -> pandas.DataFrame:
+        """The histories as a DataFrame over time (s), or a table by its name.
+
+        Parameters
+        ----------
+        table : str, optional
+            One of `tables`. Of a table over time and place each pair is a row: interface has N times M nodes.
+
+        Returns
+        -------
+        pandas.DataFrame
+            `attrs["units"]` and `attrs["descriptions"]` have those of each column; SI units.
+
+        Raises
+        ------
+        MissingPackage
+            pandas is not installed.
+        """
+        about = {"title": self.title}
+        if table is None:
+            return data_frame({"time": self.time, **{name: self[name] for name in self if name != "time"}}, "time", about)
+        return data_frame(long_columns(self.table(table), self.time), about=about)
+
+    def to_xarray(self, table: str | None = None) -> xarray.Dataset:
+        """The histories as a Dataset over time (s), or a table by its name, over time and place.
+
+        Parameters
+        ----------
+        table : str, optional
+            One of `tables`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Each variable has the attributes `units` and `long_name`; SI units.
+
+        Raises
+        ------
+        MissingPackage
+            xarray is not installed.
+        """
+        about = {"title": self.title}
+        if table is None:
+            return data_set({name: (("time",), self[name]) for name in self if name != "time"}, {"time": self.time}, about)
+        columns = self.table(table)
+        dimensions = {name: self.dimensions(values) for name, values in columns.items()}
+        axes = {"time": self.time} if any("time" in found for found in dimensions.values()) else {}
+        axes |= {"position": columns["position"]} if dimensions.get("position") == ("place",) else {}
+        variables = {name: (tuple("position" if one == "place" and "position" in axes else one for one in dimensions[name]), values)
+                     for name, values in columns.items() if name not in axes}
+        return data_set(variables, axes, about)
+
+    def dimensions(self, values: History) -> tuple[str, ...]:
+        """What the axes of a dataset are: time where an axis is as long as it, first; else a place or its number."""
+        names = ["time" if axis == 0 and size == self.time.size else "place" if axis == values.ndim - 1 else f"axis_{axis}"
+                 for axis, size in enumerate(values.shape)]
+        return tuple(f"{name}_{size}" if name.startswith("axis") else name for name, size in zip(names, values.shape))
+
+    def measured(self) -> dict[str, dict[str, Any]]:
         """Measured records: {name: {"time": History, "value": History, "reading": name of the corresponding
         history}}."""
         found = {}
@@ -175,22 +266,22 @@ class Result(Shown, Mapping):
             found[name] = {"time": time, "value": History(value, unit, description), "reading": reading}
         return found
 
-    def probes(self):
+    def probes(self) -> dict[str, dict[str, History]]:
         """{quantity: {probe: History}}, in the order of the file."""
         group = self.file.get("/history/probes")
-        quantities = {}
+        quantities: dict[str, dict[str, History]] = {}
         for probe in group or ():
             for quantity in group[probe]:
                 quantities.setdefault(quantity, {})[probe] = self.history(f"probes/{probe}/{quantity}")
         return quantities
 
 
-def datasets(group):
+def datasets(group: Any) -> list[str]:
     """Paths of all numeric datasets below a group; texts are left out."""
-    found = []
+    found: list[str] = []
     group.visititems(lambda name, item: found.append(name) if is_numbers(item) else None)
     return found
 
 
-def is_numbers(item):
+def is_numbers(item: object) -> bool:
     return isinstance(item, h5py.Dataset) and np.issubdtype(item.dtype, np.number)

@@ -3,26 +3,40 @@
 That is /interface (by time and node) and /coupled (over time, of the caisson that slips as a whole).
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 import h5py
 import numpy as np
+from numpy.typing import NDArray
 
 from .errors import UserError
-from .results import Result
+from .results import Folder, Result
 
 SMALL = 1e-9  # of the largest slip or opening: smaller values are round-off
 
 
 class SlipResult(Result):
-    """A Result with position and length of the bottom's nodes, and slip, opening, shear, normal by time and node."""
+    """A Result with position and length of the bottom's nodes, and slip, opening, shear, normal by time and node.
 
-    def __init__(self, folder):
+    Attributes
+    ----------
+    position, length : ndarray, shape (M,), m
+        Of each node of the bottom, from its seaward end.
+    slip, opening : ndarray, shape (N, M), m
+    shear, normal : ndarray, shape (N, M), N/m
+        Forces of the nodes.
+    """
+
+    def __init__(self, folder: Folder) -> None:
         super().__init__(folder)
         self.position, self.length = self.array("interface/position"), self.array("interface/length")
         shape = (self.time.size, self.position.size)
         self.slip, self.opening, self.shear, self.normal = (
             self.array(f"interface/{name}", shape) for name in ("slip", "opening", "shear_force", "normal_force"))
 
-    def array(self, name, shape=None):
+    def array(self, name: str, shape: tuple[int, ...] | None = None) -> NDArray[np.float64]:
         """A dataset outside /history as a plain array."""
         if not isinstance(self.file.get(name), h5py.Dataset):
             raise UserError(f"'{self.path}' has no dataset /{name}: run the case with "
@@ -32,29 +46,29 @@ class SlipResult(Result):
             raise UserError(f"'{self.path}': /{name} has the shape {values.shape}, not {shape}")
         return values
 
-    def has_coupled(self):
+    def has_coupled(self) -> bool:
         """Whether the results have the slip as a whole; if not, summary["sliding"]["why_not_coupled"] gives the
         reason."""
         return "coupled" in self.file
 
-    def number(self, path):
+    def number(self, path: str) -> Any:
         """A number of the summary, by its keys with dots."""
-        value = self.summary
+        value: Any = self.summary
         for key in path.split("."):
             value = value.get(key) if isinstance(value, dict) else None
         if value is None:
             raise UserError(f"'{self.folder / 'summary.json'}' has no number {path}")
         return value
 
-    def is_open(self):
+    def is_open(self) -> NDArray[np.bool_]:
         """Whether a node is open, by time and node."""
         return self.opening > SMALL * max(np.max(np.abs(self.opening)), np.max(np.abs(self.slip)))
 
-    def slips(self):
+    def slips(self) -> NDArray[np.bool_]:
         """Whether a node in contact slips in the step that ends at a time; at the first time none does."""
         moved = np.abs(np.diff(self.slip, axis=0, prepend=self.slip[:1])) > SMALL * np.max(np.abs(self.slip))
         return moved & ~self.is_open()
 
-    def contact(self):
+    def contact(self) -> NDArray[np.float64]:
         """Share of the bottom's width in contact, over time."""
         return np.where(self.is_open(), 0.0, self.length).sum(axis=1) / self.length.sum()

@@ -1,0 +1,61 @@
+"""Functions of time as tables that are linear in between, as the program reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FIRST = 2000  # intervals to begin with: a pulse of a hundredth of the run has 20 points
+TOLERANCE = 1e-4  # of the largest value: what the table may differ from the function in the middle of an interval
+HALVINGS = 12
+
+
+def sampled_function(function: Callable[[Any], Any], end: float) -> NDArray[np.float64]:
+    """Times (s) and values of f(t) from 0 to the end, in columns: intervals are halved until the table follows f.
+
+    >>> table = sampled_function(lambda t: max(0.0, 1.0 - t), 2.0)
+    >>> table.shape[1], float(table[0, 1]), float(table[-1, 0])
+    (2, 1.0, 2.0)
+    """
+    time, rows = refined(lambda times: called(function, times)[:, None], end)
+    return np.column_stack([time, rows])
+
+
+def sampled_field(function: Callable[[Any, Any], Any], places: ArrayLike, end: float) -> NDArray[np.float64]:
+    """Times (s) and values of p(s, t) at the places, a column for each."""
+    at = [float(place) for place in np.asarray(places, dtype=float)]
+    time, rows = refined(lambda times: np.column_stack([called(lambda t, s=s: function(s, t), times) for s in at]), end)
+    return np.column_stack([time, rows])
+
+
+def called(function: Callable[[Any], Any], times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values of a function that takes arrays, or one number at a time."""
+    try:
+        values = np.asarray(function(times), dtype=float)
+        if values.shape == times.shape:
+            return values
+    except (TypeError, ValueError):  # `if t < 0.1` and the like
+        pass
+    return np.array([float(function(float(t))) for t in times])
+
+
+def refined(rows_at: Callable[[NDArray[np.float64]], NDArray[np.float64]], end: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    time = np.linspace(0.0, end, FIRST + 1)
+    rows = rows_at(time)
+    open_ones = np.arange(FIRST)  # numbers of the intervals that are still looked at
+    for _ in range(HALVINGS):
+        middle = 0.5 * (time[open_ones] + time[open_ones + 1])
+        found = rows_at(middle)
+        error = np.abs(found - 0.5 * (rows[open_ones] + rows[open_ones + 1])).max(axis=1)
+        wrong = error > TOLERANCE * max(np.abs(rows).max(), np.abs(found).max())
+        if not wrong.any():
+            break
+        after = open_ones[wrong] + 1
+        time, rows = np.insert(time, after, middle[wrong]), np.insert(rows, after, found[wrong], axis=0)
+        moved = open_ones[wrong] + np.arange(wrong.sum())
+        open_ones = np.concatenate([moved, moved + 1])
+        open_ones.sort()
+    return time, rows
