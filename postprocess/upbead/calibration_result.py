@@ -87,7 +87,7 @@ class CalibrationResult(Shown, Mapping[str, Any]):
     def highest(self, measure: str) -> float:
         """A limit below which most k are."""
         k = self.columns[f"k_{measure}"]
-        return 1.05 * max(1, np.quantile(k[k > 0], 0.999)) if k.any() else 1
+        return float(1.05 * max(1, np.quantile(k[k > 0], 0.999))) if k.any() else 1
 
     def fits(self, model: str, measure: str) -> list[dict[str, Any]]:
         """The fits of one model, one for each r."""

@@ -6,7 +6,12 @@ not determine.
     print(found)
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -22,32 +27,70 @@ from .fit_weights import Weights
 from .history import History
 from .least_squares import compass, search
 
+Place = str | PathLike[str]
 LIMIT = 0.25  # relative; a combination with a larger uncertainty is called not fixed
 
 
-def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=None, unit=None, start=0.0, zero=0.0,
-        noise=None, frequencies=None, dampings=None, limit=LIMIT, set=None, jobs=2, program=None, posterior=None, model=None,
-        also=(), checks=20):
+def fit(case: Place, record: Any = None, reading: str | None = None, parameters: Any = None, ties: Mapping[str, str] | None = None, *,
+        column: str | None = None, unit: str | None = None, start: float = 0.0, zero: float = 0.0, noise: float | None = None,
+        frequencies: Sequence[Any] | None = None, dampings: Sequence[Any] | None = None, limit: float = LIMIT, set: Mapping[str, Any] | None = None,
+        jobs: int = 2, program: Place | None = None, posterior: int | None = None, model: Any = None, also: Sequence[str] = (), checks: int = 20) -> Fit:
     """Fits keys of a case to a record, to natural frequencies and damping ratios, or to both, by nonlinear least squares
-    on their logarithms. Returns a Fit.
+    on their logarithms.
 
-    case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in
-    SI units, or the name of one of the case's own, [measured.NAME]. reading: the measured quantity, a path below
-    /history (default: that of the case's record, else shear_force). parameters: {key: first guess, (low, high) or
-    None}; None: the case's own value; if all have ranges, these are searched first. Values are positive numbers.
-    "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}: a
-    key that changes in proportion to another. unit: of the column, in place of its header. start: time of the record
-    that is t = 0 of the run (s). zero: length of its beginning that is at rest (s); the mean of that part is
-    subtracted. noise: standard deviation of a sample in SI units (default: by the residual). frequencies: measured,
-    [(f, standard deviation), ...] in Hz, or (f, standard deviation, N) of the N-th mode of `periods` by the first
-    guess. dampings: [(ratio, standard deviation) or None, ...], the n-th belongs to the n-th frequency. limit:
-    relative; a combination with a larger uncertainty is not fixed. set: further keys of the case. jobs: runs at once.
-    posterior: number of evaluations by which the posterior of the keys is sampled, from the fit on. model: path of a model
-    of soils of this case, or a SoilModel with the readings in its histories; it then answers in place of runs, within its
-    box, and `checks` points of the posterior are answered again by runs. also: names of further records of the case,
-    [measured.NAME], which the posterior has in common with the first; only with a model.
     Each evaluation is an `upbead run` of a reduced model, where no model of soils is given.
-    Raises UserError, and the errors of `run`.
+
+    Parameters
+    ----------
+    case : path
+        A case file.
+    record : path, (times, values) or str, optional
+        A file; arrays of shape (N,), s and SI units; or the name of one of the case's own, [measured.NAME].
+    reading : str, optional
+        The measured quantity, a path below /history; default: that of the case's record, else shear_force.
+    parameters : dict or list of str
+        {key: first guess, (low, high) or None}; None: the case's own value; if all have ranges, these are searched first. Values
+        are positive numbers in SI units. "record.time_factor" is a key too: the record's times are multiplied with it.
+    ties : dict, optional
+        {key: "1.667*other key"}: a key that changes in proportion to another.
+    column, unit : str, optional
+        Of the file: default the column after the time, and the unit of its header.
+    start : float
+        Time of the record that is t = 0 of the run, s.
+    zero : float
+        Length of its beginning that is at rest, s; the mean of that part is subtracted.
+    noise : float, optional
+        Standard deviation of a sample in SI units; default: by the residual.
+    frequencies : list of tuple, optional
+        Measured: (f, standard deviation), Hz, or (f, standard deviation, N) of the N-th mode of `periods` by the first guess.
+    dampings : list of tuple, optional
+        (ratio, standard deviation) or None; the n-th belongs to the n-th frequency.
+    limit : float
+        Relative; a combination with a larger uncertainty is not fixed.
+    set : dict, optional
+        Further keys of the case.
+    jobs : int
+        Runs at once.
+    program : path, optional
+        The program; default: see `upbead.program.find`.
+    posterior : int, optional
+        Number of evaluations by which the posterior of the keys is sampled, from the fit on.
+    model : path or SoilModel, optional
+        A model of soils of this case, with the readings in its histories; it then answers in place of runs, within its box, and
+        `checks` points of the posterior are answered again by runs.
+    checks : int
+        See model.
+    also : list of str
+        Names of further records of the case, [measured.NAME], which the posterior has in common with the first; only with a model.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UserError
+        And the errors of `run`.
     """
     asked, modes = as_asked(parameters), surveyed(frequencies, dampings)
     if noise is not None and not noise > 0:
@@ -60,7 +103,7 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
         raise UserError("further records need a model of soils and a posterior: give model and posterior, too")
     if soils:
         parameters = soils.parameters
-    paired = Paired(modes, runs, parameters) if modes else None
+    paired: Any = Paired(modes, runs, parameters) if modes else None
     measured = np.concatenate([window.value, modes.values]) if modes else window.value
     weights = Weights(window.time.size, noise, modes.uncertainty if modes else np.empty(0))
 
@@ -81,7 +124,7 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
     if posterior:
         source = soils or OfRuns(compute, parameters, window.time.size)
         sample = sampled(source, measured, solution, statistics, weights, noise, posterior, limit, checks)
-    histories = {name: History(values[: window.time.size], shown["unit"], told) for name, values, told in (
+    histories: dict[str, Any] = {name: History(values[: window.time.size], shown["unit"], told) for name, values, told in (
         ("record", measured, "measured"), ("first", first, "first guess"), ("computed", solution.computed, "fit"),
         ("residual", measured - solution.computed, "record minus fit"))}
     return Fit(posterior=sample, values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,

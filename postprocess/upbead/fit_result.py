@@ -1,14 +1,22 @@
 """The result of a fit."""
 
+from __future__ import annotations
+
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .fit_directions import Identifiable
 from .fit_parameters import RANGE, TIME_FACTOR
 from .history import History
 from .shown import Shown
+
+if TYPE_CHECKING:
+    from .posterior import Posterior
 
 
 @dataclass
@@ -23,34 +31,34 @@ class Fit(Shown):
     noise is None, and there is no history. posterior: a Posterior, if it was asked for.
     """
 
-    values: dict
-    confidence: dict
-    covariance: np.ndarray
-    correlation: np.ndarray
+    values: dict[str, float]
+    confidence: dict[str, tuple[float, float]]
+    covariance: NDArray[np.float64]
+    correlation: NDArray[np.float64]
     residual: History
     identifiable: Identifiable
     noise: float | None
     n_runs: int
     reading: str | None
-    guess: dict
-    time: np.ndarray = field(repr=False)
+    guess: dict[str, float]
+    time: NDArray[np.float64] = field(repr=False)
     record: History = field(repr=False)
     first: History = field(repr=False)
     computed: History = field(repr=False)
-    ties: dict = field(default_factory=dict)
-    modes: list = field(default_factory=list)
-    cautions: list = field(default_factory=list)
-    posterior: object = None
+    ties: dict[str, tuple[float, str]] = field(default_factory=dict)
+    modes: list[dict[str, Any]] = field(default_factory=list)
+    cautions: list[str] = field(default_factory=list)
+    posterior: Posterior | None = None
 
     @property
-    def settings(self):
+    def settings(self) -> dict[str, float]:
         """{key: value} for `set` of a run with the fitted values, including tied keys, without keys of the record."""
         tied = {key: factor * self.values[other] for key, (factor, other) in self.ties.items()}
         return {key: value for key, value in {**self.values, **tied}.items() if key != TIME_FACTOR}
 
-    def summary(self):
+    def summary(self) -> dict[str, Any]:
         """All but the histories, as JSON has it."""
-        told = {"reading": self.reading, "values": self.values, "confidence": self.confidence, "guess": self.guess,
+        told: dict[str, Any] = {"reading": self.reading, "values": self.values, "confidence": self.confidence, "guess": self.guess,
                 "settings": self.settings, "noise": self.noise, "unit": self.record.unit,
                 "rms": float(np.sqrt(np.mean(self.residual.values**2))) if self.time.size else None, "samples": self.time.size,
                 "runs": self.n_runs, "modes": self.modes,
@@ -59,19 +67,20 @@ class Fit(Shown):
                                 for name in ("directions", "fixed", "free")} | {"text": str(self.identifiable)}
         if self.posterior:
             told["posterior"] = self.posterior.summary()
-        return json.loads(json.dumps(told | {"cautions": self.cautions}))
+        plain: dict[str, Any] = json.loads(json.dumps(told | {"cautions": self.cautions}))
+        return plain
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Fit of {self.reading or 'modes'}: {', '.join(f'{key} {value:.4g}' for key, value in self.values.items())}; {self.n_runs} runs>"
 
-    def __str__(self):
+    def __str__(self) -> str:
         width = max(map(len, self.values))
         lines = [f"{key:{width}}  {value:.4g}  {interval_text(self.confidence[key])}" for key, value in self.values.items()]
         lines += [mode_text(mode) for mode in self.modes] + [str(self.identifiable)] + [f"caution: {text}" for text in self.cautions]
         return "\n".join(lines + [str(self.posterior)] * bool(self.posterior))
 
 
-def mode_text(mode):
+def mode_text(mode: Mapping[str, Any]) -> str:
     """A measured mode and the computed one that it is paired with, in words."""
     measured, first, now = mode["measured"], mode["first guess"], mode["fit"]
     percent = 100 * abs(now["damping_ratio"])  # without damping this is round-off of either sign
@@ -82,7 +91,7 @@ def mode_text(mode):
             f"it is mode {first['mode']} of the first guess, of {first['frequency']:.4g} Hz, {100 * first['share']:.2g} % of F_T")
 
 
-def interval_text(ends):
+def interval_text(ends: tuple[float, float]) -> str:
     """An interval in words; an interval as wide as the range of a guess counts as not determined.
 
     >>> interval_text((1.0, 2.0)), interval_text((0.1, 10.0))

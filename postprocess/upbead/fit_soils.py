@@ -4,14 +4,20 @@
     found = upbead.soil_posterior(upbead.SoilModel("soils.h5", histories=["shear_force"]), records, keys)
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .errors import SoilError, UserError
 from .fit_parameters import TIME_FACTOR
 from .least_squares import compass, least_squares
-from .posterior import Likelihood, posterior
+from .posterior import Likelihood, Posterior, posterior
+from .soil_model import SoilModel
 
 OF_RUNS = ("mesh.", "accuracy.", "time.", "output.")  # keys that change how exactly runs compute, not what
 ROUND_OFF = 1e-9  # of ends that were logarithms
@@ -20,13 +26,26 @@ SHARE, TURNS = 0.05, 3  # first guess of the noise over the largest value, and h
 
 @dataclass
 class SoilRecord:
-    """wave: as SoilModel.respond() takes it, one wave. time: s, of the wave. noise: standard deviation of a sample, None if
-    unknown."""
+    """What was measured under one wave.
 
-    wave: object
+    Attributes
+    ----------
+    wave : path or (times, {load: values})
+        As SoilModel.respond() takes it, one wave.
+    reading : str
+        What was measured.
+    time : ndarray, shape (N,), s
+        Of the wave.
+    value : ndarray, shape (N,)
+        In the SI unit of the reading.
+    noise : float, optional
+        Standard deviation of a sample, None if unknown.
+    """
+
+    wave: Any
     reading: str
-    time: np.ndarray
-    value: np.ndarray
+    time: NDArray[np.float64]
+    value: NDArray[np.float64]
     noise: float | None = None
 
 
@@ -48,7 +67,9 @@ class SoilHistories:
         return self.answers([keys])[0]
 
     def answers(self, asked):
-        soils, known, found = [self.soil(keys) for keys in asked], [], []
+        soils = [self.soil(keys) for keys in asked]
+        known: list[Any] = []
+        found: list[Any] = []
         for record in self.records:
             same = [answers for wave, answers in known if wave is record.wave]
             answers = same[0] if same else self.model.respond_all(record.wave, soils)
@@ -92,18 +113,43 @@ def fixed_by(model, set):
     return {key: float(value) for key, value in set.items() if key in model.box}
 
 
-def soil_posterior(model, records, keys=None, evaluations=4000, *, ties=None, set=None, full=None, checks=20, seed=1, limit=0.25):
-    """The Posterior of keys by one or several records, each with a wave and a noise of its own, from their best fit on.
+def soil_posterior(model: SoilModel, records: Sequence[SoilRecord], keys: Mapping[str, Any] | Sequence[str] | None = None, evaluations: int = 4000, *,
+                   ties: Mapping[str, tuple[float, str]] | None = None, set: Mapping[str, float] | None = None, full: Any = None, checks: int = 20,
+                   seed: int = 1, limit: float = 0.25) -> Posterior:
+    """What records tell of the soil: the posterior of keys by one or several records, from their best fit on.
 
-    keys: {key: (low, high) or None} or names (default: all that the model varies). full: see posterior(). ties: {tied key:
-    (factor, key)}. set: values of other keys of the box.
+    Parameters
+    ----------
+    model : SoilModel
+        With the records' readings in its histories.
+    records : list of SoilRecord
+        Each with a wave and a noise of its own.
+    keys : dict or list of str, optional
+        {key: (low, high) or None}, SI units, or names; default: all that the model varies.
+    evaluations : int
+        Of the model.
+    ties : dict, optional
+        {tied key: (factor, key)}.
+    set : dict, optional
+        Values of other keys of the box.
+    full : optional
+        An object as the model, by which `checks` points of the chain are answered again.
+    checks, seed : int
+        See full; of the random numbers.
+    limit : float
+        Relative; a combination with a larger uncertainty is not fixed.
+
+    Returns
+    -------
+    Posterior
+        `sample` has the shape (points, keys).
     """
     asked = dict(keys) if isinstance(keys, dict) else dict.fromkeys(keys or model.box)
     box = {key: range_of(model, key, ends) for key, ends in asked.items()}
     fast = SoilHistories(model, records, box, ties, fixed_by(model, set or {}))
     start, covariance = best_fit(fast, records)
     likelihood = Likelihood([np.asarray(record.value) for record in records], [record.noise for record in records])
-    found = posterior(fast, likelihood, evaluations, start=start, covariance=covariance, full=full, checks=checks, seed=seed, limit=limit)
+    found: Posterior = posterior(fast, likelihood, evaluations, start=start, covariance=covariance, full=full, checks=checks, seed=seed, limit=limit)
     found.cautions += model_cautions(fast, found.median, [record.noise for record in records])
     return found
 

@@ -22,7 +22,7 @@ class Weights:
     relative uncertainties of the modes."""
 
     samples: int
-    noise: float = None
+    noise: float | None = None
     given: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def size(self, answers, measured):

@@ -1,8 +1,12 @@
 """A small reader of gmsh meshes (.msh 2.2 and 4.1, text): the corners of cells and lines, with the names of their
 groups."""
 
+from __future__ import annotations
+
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from .errors import UserError
 
@@ -13,17 +17,21 @@ DIMENSION = {kind: 1 if corners == 2 else 2 for kind, corners in CORNERS.items()
 
 @dataclass
 class Mesh:
-    points: dict = field(default_factory=dict)  # node: (x, y)
-    surfaces: dict = field(default_factory=lambda: defaultdict(list))  # name: [three or four nodes]
-    curves: dict = field(default_factory=lambda: defaultdict(list))  # name: [two nodes]
+    """Corners of a mesh, m, and by name of the surface or curve the nodes of each cell or line."""
 
-    def add(self, kind, name, nodes):
+    points: dict[int, tuple[float, float]] = field(default_factory=dict)  # node: (x, y)
+    surfaces: dict[str, list[list[int]]] = field(default_factory=lambda: defaultdict(list))  # name: [three or four nodes]
+    curves: dict[str, list[list[int]]] = field(default_factory=lambda: defaultdict(list))  # name: [two nodes]
+
+    def add(self, kind: int, name: str, nodes: list[int]) -> None:
+        """Adds a cell or a line of one of gmsh's kinds."""
         (self.curves if DIMENSION[kind] == 1 else self.surfaces)[name].append(nodes[: CORNERS[kind]])
 
 
-def sections(text):
+def sections(text: str) -> dict[str, list[str]]:
     """{name: lines} of a .msh."""
-    found, name = {}, None
+    found: dict[str, list[str]] = {}
+    name: str | None = None
     for line in text.splitlines():
         if line.startswith("$End"):
             name = None
@@ -35,7 +43,7 @@ def sections(text):
     return found
 
 
-def names_of(lines):
+def names_of(lines: list[str]) -> dict[tuple[int, int], str]:
     """{(dimension, number): name}"""
     names = {}
     for line in lines[1:]:
@@ -44,7 +52,7 @@ def names_of(lines):
     return names
 
 
-def read_22(parts, names, mesh):
+def read_22(parts: Mapping[str, list[str]], names: Mapping[tuple[int, int], str], mesh: Mesh) -> None:
     for line in parts["Nodes"][1:]:
         node, x, y, _ = line.split()
         mesh.points[int(node)] = (float(x), float(y))
@@ -54,7 +62,7 @@ def read_22(parts, names, mesh):
             mesh.add(kind, names.get((DIMENSION[kind], group), str(group)), rest[tags - 1 :])
 
 
-def groups_of_entities(lines):
+def groups_of_entities(lines: list[str]) -> dict[tuple[int, int], int]:
     """{(dimension, entity): its first physical group}, from $Entities of 4.1."""
     groups = {}
     counts = list(map(int, lines[0].split()))
@@ -68,13 +76,14 @@ def groups_of_entities(lines):
     return groups
 
 
-def read_41(parts, names, mesh):
+def read_41(parts: Mapping[str, list[str]], names: Mapping[tuple[int, int], str], mesh: Mesh) -> None:
     groups = groups_of_entities(parts["Entities"])
     rows = iter(parts["Nodes"][1:])
     for head in rows:
         nodes = [int(next(rows)) for _ in range(int(head.split()[3]))]
         for node in nodes:
-            mesh.points[node] = tuple(map(float, next(rows).split()[:2]))
+            x, y, *_ = map(float, next(rows).split())
+            mesh.points[node] = (x, y)
     rows = iter(parts["Elements"][1:])
     for head in rows:
         dimension, entity, kind, count = map(int, head.split())
@@ -85,7 +94,7 @@ def read_41(parts, names, mesh):
                 mesh.add(kind, names.get((dimension, group), str(group)), nodes)
 
 
-def read(path):
+def read(path: Path) -> Mesh:
     """The Mesh of a file; raises UserError if it is no mesh."""
     try:
         text = path.read_text(encoding="latin-1")

@@ -40,7 +40,7 @@ def open_result(folder: Folder) -> Any:
     if not folder.is_dir():
         raise UserError(f"there is no folder '{folder}'")
     opened: Any = {"study": StudyTable, "waves": read_waves, "reliability": read_summary, "expected": ExpectedResult,
-              "calibrate": CalibrationResult, "sheet": read_sheet}.get(command_of(folder))
+              "calibrate": CalibrationResult, "sheet": read_sheet}.get(command_of(folder) or "")
     if opened:
         return opened(folder)
     return SlipResult(folder) if slips(folder / "results.h5") else Result(folder)

@@ -10,9 +10,13 @@ and, if it answers many points side by side, answers([keys, ...]). A run of the 
 soils another. docs/fit.md has the method.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .ensemble import autocorrelation_time, ensemble
 from .errors import UserError
@@ -36,8 +40,8 @@ class Likelihood:
     (Box and Tiao 1973, ch. 2.4 and 8.2).
     """
 
-    measured: list
-    noise: list
+    measured: list[NDArray[np.float64]]
+    noise: list[float | None]
 
     def __call__(self, computed):
         """ln of it, without a constant; -inf if something was not computed."""
@@ -59,28 +63,28 @@ class Posterior:
     effective: number of independent samples that the chain is worth. undetermined: keys of which nothing was learnt.
     check: of the chain by full runs, None if the chain was made by these. cautions: reasons to doubt the numbers."""
 
-    keys: list
-    sample: np.ndarray = field(repr=False)
-    median: dict
-    interval: dict
-    covariance: np.ndarray
-    identifiable: object
-    undetermined: list
-    box: dict
+    keys: list[str]
+    sample: NDArray[np.float64] = field(repr=False)
+    median: dict[str, float]
+    interval: dict[str, tuple[float, float]]
+    covariance: NDArray[np.float64]
+    identifiable: Any
+    undetermined: list[str]
+    box: dict[str, tuple[float, float]]
     evaluations: int
     accepted: float
     effective: float
     check: Check | None = None
-    cautions: list = field(default_factory=list)
+    cautions: list[str] = field(default_factory=list)
 
-    def summary(self):
+    def summary(self) -> dict[str, Any]:
         """As JSON has it, without the sample."""
         return {"median": self.median, "interval": self.interval, "covariance_of_logarithms": self.covariance.tolist(),
                 "prior": self.box, "undetermined": self.undetermined, "fixed": str(self.identifiable), "evaluations": self.evaluations,
                 "accepted": self.accepted, "effective": self.effective,
                 "check": self.check and self.check.summary(), "cautions": self.cautions}
 
-    def __str__(self):
+    def __str__(self) -> str:
         width = max(map(len, self.keys))
         lines = [f"{key:{width}}  {self.median[key]:.4g}  ({low:.4g} to {high:.4g})"
                  + (", as before the measurement: not determined" if key in self.undetermined else "")
@@ -121,7 +125,7 @@ def posterior(model, likelihood, evaluations, *, start=None, covariance=None, wa
     if full is not None:
         check = checked(kept, LogDensity(full, likelihood, low, high), checks, time, rng)
         cautions += check.cautions()
-    return Posterior(keys=keys, box={key: tuple(map(float, model.box[key])) for key in keys}, check=check, cautions=cautions, **found)
+    return Posterior(keys=keys, box={key: (float(model.box[key][0]), float(model.box[key][1])) for key in keys}, check=check, cautions=cautions, **found)
 
 
 class LogDensity:
@@ -147,7 +151,7 @@ def begin_at(log, low, high, start, covariance, walkers, rng):
     """Points in the box with a density above zero: of the approximation of Laplace, or anywhere in the box. Along what
     the record does not determine that approximation is wider than the box, so that a coordinate beyond it is drawn from
     the whole of it."""
-    points = []
+    points: list[Any] = []
     for _ in range(100):
         lacking = walkers - len(points)
         if start is None:

@@ -6,13 +6,20 @@
     print(answer["shear_force"].max() / answer["force"].max())
 """
 
+from __future__ import annotations
+
+from collections.abc import Mapping
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .errors import ModelError
 from .h5 import open_h5
 from .history import History
+from .near import hint
 from .results import text_of
 from .shown import Shown
 from .wave_table import read_wave
@@ -24,7 +31,7 @@ KIND, VERSIONS = "upbead reduced model", (1, 2)  # 2: with /still_water, whose p
 SAFETY_OF_MODEL, SAFETY_OF_MIDDLE = 1.2, 1.5
 
 
-def phi_functions(x):
+def phi_functions(x: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     """exp(x), phi_1 = (exp(x) - 1)/x and phi_2 = (phi_1 - 1)/x, by their series near 0, where the closed forms suffer
     from cancellation."""
     small = np.abs(x) < 0.5
@@ -38,7 +45,7 @@ def phi_functions(x):
     return 1.0 + x * phi_1, phi_1, phi_2
 
 
-def _texts(dataset):
+def _texts(dataset: Any) -> list[str]:
     return [text_of(text) for text in dataset[()]]
 
 
@@ -46,9 +53,35 @@ class ReducedModel(Shown):
     """A sum of modes; docs/output.md has the layout of the file.
 
     z_m' = pole_m z_m + sum_k load_mk f_k,  y_i = Re sum_m reading_im z_m + feedthrough_ik f_k + impulse_ik int f_k dt
+
+    Attributes
+    ----------
+    loads, readings : list of str
+        K names of what acts, I names of what is answered.
+    units, descriptions : dict of str
+        By reading.
+    pole : ndarray of complex, shape (M,), 1/s
+    load : ndarray of complex, shape (M, K)
+    reading : ndarray of complex, shape (I, M)
+    feedthrough, impulse : ndarray, shape (I, K)
     """
 
-    def __init__(self, path):
+    loads: list[str]
+    readings: list[str]
+    units: dict[str, str]
+    descriptions: dict[str, str]
+    duration: NDArray[np.float64]
+    validity: dict[str, Any]
+    caisson_mass: float
+    title: str
+    nested: list[ReducedModel] | None
+    pole: NDArray[np.complex128]
+    load: NDArray[np.complex128]
+    reading: NDArray[np.complex128]
+    feedthrough: NDArray[np.float64]
+    impulse: NDArray[np.float64]
+
+    def __init__(self, path: str | PathLike[str]) -> None:
         self.path = Path(path)
         try:
             with open_h5(path) as file:
@@ -56,7 +89,7 @@ class ReducedModel(Shown):
         except (OSError, KeyError) as error:
             raise ModelError(f"'{path}' cannot be read as a reduced model: {error}") from error
 
-    def _read(self, file, path):
+    def _read(self, file: Any, path: str | PathLike[str]) -> None:
         if text_of(file.attrs.get("kind", "")) != KIND:
             raise ModelError(f"'{path}' is no reduced model; give a file made by 'upbead reduce'")
         if file.attrs["format_version"] not in VERSIONS:
@@ -75,30 +108,39 @@ class ReducedModel(Shown):
         if "nested" in file:
             self.nested = [self._larger(file[f"nested/{name}"]) for name in ("middle", "reference")]
 
-    def _read_modes(self, group):
-        def pairs(name):
+    def _read_modes(self, group: Any) -> None:
+        def pairs(name: str) -> Any:
             values = group[name][()]
             return values[..., 0] + 1j * values[..., 1]
 
         self.pole, self.load, self.reading = pairs("pole"), pairs("load"), pairs("reading")
         self.feedthrough, self.impulse = group["feedthrough"][()], group["impulse"][()]
 
-    def _larger(self, group):
+    def _larger(self, group: Any) -> ReducedModel:
         model = object.__new__(ReducedModel)
         model._read_modes(group)
         model.loads, model.readings, model.units = self.loads, ["shear_force"], {"shear_force": "N/m"}
         model.descriptions, model.nested = {"shear_force": self.descriptions["shear_force"]}, None
         return model
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<ReducedModel '{self.title}': loads {', '.join(self.loads)}; {self.pole.size} modes>"
 
-    def respond(self, time, loads):
-        """All readings at the times, {name: History}, from rest at t = 0.
+    def respond(self, time: ArrayLike, loads: Mapping[str, ArrayLike]) -> dict[str, History]:
+        """All readings at the times, from rest at t = 0.
 
-        time: ascending (s), time[0] = 0. loads: {name: array}, linear between the times; loads that are not given are
-        zero. The response is exact for any steps. A first value other than zero is a jump at t = 0, which has no
-        effect on row 0.
+        Parameters
+        ----------
+        time : array_like, shape (N,), s
+            Ascending, time[0] = 0.
+        loads : dict of array_like, shape (N,), N/m or Pa
+            By name, linear between the times; loads that are not given are zero. A first value other than zero is a
+            jump at t = 0, which has no effect on row 0.
+
+        Returns
+        -------
+        dict of History, shape (N,)
+            By reading, with its unit. The response is exact for any steps.
         """
         time = np.asarray(time, dtype=float)
         f = self._loads_as_rows(time, loads)
@@ -118,28 +160,43 @@ class ReducedModel(Shown):
         y = (z @ self.reading.T).real.T + self.feedthrough @ f_before + self.impulse @ integral
         return {name: History(row, self.units[name], self.descriptions[name]) for name, row in zip(self.readings, y)}
 
-    def error_estimate(self, time, loads):
+    def error_estimate(self, time: ArrayLike, loads: Mapping[str, ArrayLike]) -> float | None:
         """A bound of the error of F_T's history by the model, over its largest value, the same as by `upbead
         respond`; None if the model's file has no nested models. Arguments as of respond()."""
         if self.nested is None:
             return None
         answers = [np.asarray(model.respond(time, loads)["shear_force"]) for model in (self, *self.nested)]
         model, middle, reference = answers
-        peak = np.abs(model).max()
+        peak = float(np.abs(model).max())
         if peak == 0.0:
             return 0.0
-        return (SAFETY_OF_MODEL * np.abs(reference - model).max()
-                + SAFETY_OF_MIDDLE * np.abs(reference - middle).max()) / peak
+        return float(SAFETY_OF_MODEL * np.abs(reference - model).max()
+                     + SAFETY_OF_MIDDLE * np.abs(reference - middle).max()) / peak
 
-    def transfer(self, reading, load, frequency):
-        """Reading per unit of the load at frequencies (Hz), complex."""
+    def transfer(self, reading: str, load: str, frequency: ArrayLike) -> NDArray[np.complex128]:
+        """Reading per unit of a load over frequency.
+
+        Parameters
+        ----------
+        reading, load : str
+            One of `readings`, one of `loads`.
+        frequency : array_like, shape (F,), Hz
+
+        Returns
+        -------
+        ndarray of complex, shape (F,)
+        """
+        for name, known in ((reading, self.readings), (load, self.loads)):
+            if name not in known:
+                raise ModelError(f"the model has no '{name}'{hint(name, known)}")
         s = 2j * np.pi * np.asarray(frequency, dtype=float)[:, None]
         i, k = self.readings.index(reading), self.loads.index(load)
         product = self.reading[i] * self.load[:, k]
         both = product / (s - self.pole) + product.conj() / (s - self.pole.conj())
-        return self.feedthrough[i, k] + self.impulse[i, k] / s[:, 0] + 0.5 * both.sum(axis=1)
+        found: NDArray[np.complex128] = self.feedthrough[i, k] + self.impulse[i, k] / s[:, 0] + 0.5 * both.sum(axis=1)
+        return found
 
-    def _loads_as_rows(self, time, loads):
+    def _loads_as_rows(self, time: NDArray[np.float64], loads: Mapping[str, ArrayLike]) -> NDArray[np.float64]:
         if time.ndim != 1 or time.size < 2 or time[0] != 0.0 or not np.all(np.diff(time) > 0):
             raise ModelError("the times must ascend, and begin with 0")
         rows = np.zeros((len(self.loads), time.size))
@@ -152,7 +209,7 @@ class ReducedModel(Shown):
         return rows
 
 
-def fine(time, loads, model, end):
+def fine(time: NDArray[np.float64], loads: Mapping[str, NDArray[np.float64]], model: ReducedModel, end: float) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
     """The wave on steps that resolve a peak, as in 'upbead respond'; zero outside its own times."""
     step = min(1.0 / (20.0 * model.validity["highest_frequency"]), *(model.duration[model.duration > 0] / 50.0))
     grid = np.linspace(0.0, end, max(2, int(np.ceil(end / step)) + 1))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any
 
@@ -27,7 +28,11 @@ def sampled_function(function: Callable[[Any], Any], end: float) -> NDArray[np.f
 def sampled_field(function: Callable[[Any, Any], Any], places: ArrayLike, end: float) -> NDArray[np.float64]:
     """Times (s) and values of p(s, t) at the places, a column for each."""
     at = [float(place) for place in np.asarray(places, dtype=float)]
-    time, rows = refined(lambda times: np.column_stack([called(lambda t, s=s: function(s, t), times) for s in at]), end)
+
+    def rows_at(times: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.column_stack([called(functools.partial(function, place), times) for place in at])
+
+    time, rows = refined(rows_at, end)
     return np.column_stack([time, rows])
 
 
@@ -39,7 +44,7 @@ def called(function: Callable[[Any], Any], times: NDArray[np.float64]) -> NDArra
             return values
     except (TypeError, ValueError):  # `if t < 0.1` and the like
         pass
-    return np.array([float(function(float(t))) for t in times])
+    return np.array([float(function(float(t))) for t in times], dtype=float)
 
 
 def refined(rows_at: Callable[[NDArray[np.float64]], NDArray[np.float64]], end: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

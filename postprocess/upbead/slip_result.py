@@ -62,13 +62,16 @@ class SlipResult(Result):
 
     def is_open(self) -> NDArray[np.bool_]:
         """Whether a node is open, by time and node."""
-        return self.opening > SMALL * max(np.max(np.abs(self.opening)), np.max(np.abs(self.slip)))
+        opened: NDArray[np.bool_] = self.opening > SMALL * max(np.max(np.abs(self.opening)), np.max(np.abs(self.slip)))
+        return opened
 
     def slips(self) -> NDArray[np.bool_]:
         """Whether a node in contact slips in the step that ends at a time; at the first time none does."""
         moved = np.abs(np.diff(self.slip, axis=0, prepend=self.slip[:1])) > SMALL * np.max(np.abs(self.slip))
-        return moved & ~self.is_open()
+        slipping: NDArray[np.bool_] = moved & ~self.is_open()
+        return slipping
 
     def contact(self) -> NDArray[np.float64]:
         """Share of the bottom's width in contact, over time."""
-        return np.where(self.is_open(), 0.0, self.length).sum(axis=1) / self.length.sum()
+        share: NDArray[np.float64] = np.where(self.is_open(), 0.0, self.length).sum(axis=1) / self.length.sum()
+        return share

@@ -1,8 +1,13 @@
 """What a model of soils answers, as plain numbers and arrays."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 @dataclass
@@ -12,12 +17,12 @@ class WaveAnswer:
     estimated, over its largest value."""
 
     name: str
-    numbers: dict
-    time: np.ndarray | None = field(default=None, repr=False)
-    histories: dict = field(default_factory=dict, repr=False)
-    history_errors: dict = field(default_factory=dict)
+    numbers: dict[str, Any]
+    time: NDArray[np.float64] | None = field(default=None, repr=False)
+    histories: dict[str, NDArray[np.float64]] = field(default_factory=dict, repr=False)
+    history_errors: dict[str, float] = field(default_factory=dict)
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         try:
             return self.__dict__["numbers"][name]
         except KeyError:
@@ -29,24 +34,24 @@ class SoilAnswer:
     """soil: all keys of the box. error: of F_T's history under the loads of the case, over its peak. waves: a WaveAnswer
     for each wave; where there is one, its attributes are those of this, too. warnings: as in summary.json."""
 
-    soil: dict
+    soil: dict[str, float]
     error: float
-    waves: list
-    warnings: list
+    waves: list[WaveAnswer]
+    warnings: list[dict[str, Any]]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         waves = self.__dict__.get("waves", [])
         if len(waves) != 1:
             raise AttributeError(f"'{name}' is of one wave, and there are {len(waves)}: take that of waves[i]")
         return getattr(waves[0], name)
 
 
-def soil_answer(line):
+def soil_answer(line: Mapping[str, Any]) -> SoilAnswer:
     """The SoilAnswer of a line of the server, a dict."""
     return SoilAnswer(line["soil"], line["error"], [wave_answer(dict(wave)) for wave in line["waves"]], line["warnings"])
 
 
-def wave_answer(numbers):
+def wave_answer(numbers: dict[str, Any]) -> WaveAnswer:
     time, histories = numbers.pop("time", None), numbers.pop("histories", {})
     return WaveAnswer(numbers.pop("name"), history_errors=numbers.pop("history_errors", {}),
                       time=None if time is None else np.array(time), numbers=numbers,

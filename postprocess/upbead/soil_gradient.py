@@ -1,6 +1,10 @@
 """How an answer changes with each key of a soil, by differences of a model of soils."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -19,30 +23,36 @@ class Gradient:
     error: the difference to the slope over twice the step; of an array, the largest. step: of ln(key), or of the key.
     logarithmic: by key."""
 
-    value: dict
-    error: dict
-    step: dict = field(repr=False)
-    logarithmic: dict = field(repr=False)
+    value: dict[str, Any]
+    error: dict[str, float]
+    step: dict[str, float] = field(repr=False)
+    logarithmic: dict[str, bool] = field(repr=False)
 
 
-def gradient(box, soil, answer):
+def gradient(box: Mapping[str, tuple[float, float, bool]], soil: Mapping[str, float], answer: Callable[[dict[str, float]], Any]) -> Gradient:
     """The Gradient at a soil that has all keys of the box, {key: (low, high, logarithmic)}; answer(soil): a number, or
     an array."""
-    value, error, step = {}, {}, {}
+    value: dict[str, Any] = {}
+    error: dict[str, float] = {}
+    step: dict[str, float] = {}
     for key, axis in box.items():
-        value[key], error[key], step[key] = slope(axis, soil[key], lambda at, key=key: answer({**soil, key: at}))
+
+        def along(at: float, key: str = key) -> Any:
+            return answer({**soil, key: at})
+
+        value[key], error[key], step[key] = slope(axis, soil[key], along)
     return Gradient(value, error, step, {key: bool(axis[2]) for key, axis in box.items()})
 
 
-def slope(axis, at, answer):
+def slope(axis: tuple[float, float, bool], at: float, answer: Callable[[float], Any]) -> tuple[Any, float, float]:
     """(slope, error, step) along one key: the step is halved as long as the slope changes by less than before."""
     low, high, logarithmic = axis
     if logarithmic:
         low, high, at = np.log(low), np.log(high), np.log(at)
     scale = 1.0 if logarithmic else high - low
-    known = {}
+    known: dict[float, Any] = {}
 
-    def of(x):
+    def of(x: float) -> Any:
         x = float(np.clip(x, low, high))
         if x not in known:
             inside = np.clip(np.exp(x), *axis[:2]) if logarithmic else x
@@ -61,12 +71,12 @@ def slope(axis, at, answer):
     return best
 
 
-def difference(of, x, h, low, high):
+def difference(of: Callable[[float], Any], x: float, h: float, low: float, high: float) -> Any:
     scheme = FORWARD if x - h < low else BACKWARD if x + h > high else CENTRAL
     return sum(weight * of(x + offset * h) for offset, weight in scheme) / h
 
 
-def number(answer, quantity):
+def number(answer: Any, quantity: str | Callable[[Any], Any]) -> Any:
     """A quantity of an answer, by name or by a function of it."""
     value = quantity(answer) if callable(quantity) else getattr(answer, quantity)
     if value is None or isinstance(value, (str, dict)):

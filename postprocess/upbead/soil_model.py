@@ -7,11 +7,14 @@
 docs/soils.md has the method. The program answers, as a child that waits for further soils.
 """
 
+from __future__ import annotations
+
 import tempfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from os import getpid
+from os import PathLike, getpid
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,9 +22,12 @@ from . import program as upbead_program
 from .errors import ModelError, SoilError, UserError
 from .h5 import open_h5
 from .results import text_of
-from .soil_answer import soil_answer
-from .soil_gradient import gradient, number
+from .soil_answer import SoilAnswer, soil_answer
+from .soil_gradient import Gradient, gradient, number
 from .soil_server import SoilServer, SoilServers
+
+Soil = Mapping[str, float]
+Wave = Any  # a path, a list of paths, or (times, {load: values})
 
 KIND, VERSION = "upbead soil model", 1
 MOST_WAVES = 4  # whose servers are kept
@@ -36,14 +42,40 @@ class Axis(NamedTuple):
 
 
 class SoilModel:
-    """box: {key: Axis}. loads, readings: names. A copy in another process, by pickle or fork, starts children of its own."""
+    """Any soil of a box, answered by one reduced model; a copy in another process, by pickle or fork, starts children of its own.
 
-    def __init__(self, path, *, histories=(), friction=None, buoyant_weight=None, end=None, jobs=1, program=None):
-        """histories: readings whose histories are answered, too. friction, buoyant_weight: for S, in place of the case's
-        [sliding]. end: of the answers (s). jobs: soils at once in respond_all()."""
+    Parameters
+    ----------
+    path : path
+        soils.h5 of `upbead reduce --soils`.
+    histories : list of str
+        Readings whose histories are answered, too.
+    friction, buoyant_weight : float, optional
+        For S, in place of the case's [sliding]; -, N/m.
+    end : float, optional
+        Of the answers, s.
+    jobs : int
+        Soils at once in respond_all().
+    program : path, optional
+
+    Attributes
+    ----------
+    box : dict of Axis
+        The range of each key.
+    loads, readings : list of str
+    """
+
+    box: dict[str, Axis]
+    title: str
+    loads: list[str]
+    readings: list[str]
+
+    def __init__(self, path: str | PathLike[str], *, histories: Sequence[str] = (), friction: float | None = None, buoyant_weight: float | None = None,
+                 end: float | None = None, jobs: int = 1, program: str | PathLike[str] | None = None) -> None:
         self.path = Path(path).resolve()
         self.options = {"histories": ",".join(histories), "friction": friction, "buoyant-weight": buoyant_weight, "end": end}
-        self.jobs, self.program, self.servers, self.pid = jobs, program, {}, getpid()
+        self.jobs, self.program, self.pid = jobs, program, getpid()
+        self.servers: dict[Any, Any] = {}
         try:
             with open_h5(path) as file:
                 self.read(file)
@@ -53,7 +85,7 @@ class SoilModel:
         if unknown:
             raise UserError(f"the model has no reading '{unknown[0]}'; it has {', '.join(self.readings)}")
 
-    def read(self, file):
+    def read(self, file: Any) -> None:
         kind, version = text_of(file.attrs.get("kind", "")), file.attrs.get("format_version")
         if kind != KIND:
             raise ModelError(f"'{self.path}' is no model of soils; give a file made by 'upbead reduce --soils'")
@@ -67,15 +99,30 @@ class SoilModel:
         names = [text_of(name) for name in file["family/readings/name"][()]]
         self.readings = names[: len(names) - int(file["family"].attrs["slip_readings"])]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<SoilModel '{self.title}': {', '.join(self.box)}; loads {', '.join(self.loads)}>"
 
-    def respond(self, wave, soil=None):
-        """The SoilAnswer of a soil, {key: value}; keys that are not given have the case's value.
+    def respond(self, wave: Wave, soil: Soil | None = None) -> SoilAnswer:
+        """The answer to a wave in a soil.
 
-        wave: path of a file of waves or of a case, a list of such, or (times, {load: values}), straight between the
-        times, values of shape (N) or (waves, N). Raises SoilError where the soil cannot be answered, CaseError where the
-        wave or an option is wrong.
+        Parameters
+        ----------
+        wave : path, list of paths, or (times, {load: values})
+            Files of waves or of a case; or times (s), shape (N,), and values (N/m or Pa), shape (N,) or (waves, N), straight
+            between the times.
+        soil : dict, optional
+            Values by key, SI units; keys that are not given have the case's value.
+
+        Returns
+        -------
+        SoilAnswer
+
+        Raises
+        ------
+        SoilError
+            The soil cannot be answered.
+        CaseError
+            The wave or an option is wrong.
         """
         asked = {key: float(value) for key, value in (soil or {}).items()}
         wrong = [f"{key} = {value}" for key, value in asked.items() if not np.isfinite(value)]
@@ -86,10 +133,10 @@ class SoilModel:
             raise SoilError(line["why"], asked)
         return soil_answer(line)
 
-    def respond_all(self, wave, soils):
+    def respond_all(self, wave: Wave, soils: Iterable[Soil]) -> list[SoilAnswer | SoilError]:
         """A list with the SoilAnswer of each soil, or with the SoilError of one that cannot be answered."""
 
-        def answered(soil):
+        def answered(soil: Soil) -> SoilAnswer | SoilError:
             try:
                 return self.respond(wave, soil)
             except SoilError as error:
@@ -98,13 +145,13 @@ class SoilModel:
         with ThreadPoolExecutor(max(1, self.jobs)) as pool:
             return list(pool.map(answered, soils))
 
-    def gradient(self, wave, soil, quantity):
+    def gradient(self, wave: Wave, soil: Soil, quantity: str | Callable[[SoilAnswer], Any]) -> Gradient:
         """The Gradient of a quantity: the name of a number of a wave's answer, or a function of the SoilAnswer that gives
         a number or an array of fixed length."""
         whole = self.respond(wave, soil).soil
         return gradient(self.box, whole, lambda at: number(self.respond(wave, at), quantity))
 
-    def servers_of(self, wave):
+    def servers_of(self, wave: Wave) -> Any:
         if self.pid != getpid():  # a fork: the children are the parent's
             for servers in self.servers.values():
                 servers.close()
@@ -116,7 +163,7 @@ class SoilModel:
             self.servers[key] = SoilServers(lambda: self.begin(wave), max(1, self.jobs))
         return self.servers[key]
 
-    def begin(self, wave):
+    def begin(self, wave: Wave) -> SoilServer:
         folder = None
         if is_table(wave):
             folder = tempfile.mkdtemp(prefix="upbead-wave-")
@@ -127,32 +174,32 @@ class SoilModel:
             words += [f"--{option}", value] if value not in (None, "") else []
         return SoilServer(list(map(str, words)), folder)
 
-    def close(self):
+    def close(self) -> None:
         """Ends the children."""
         if self.pid == getpid():
             for servers in self.servers.values():
                 servers.close()
             self.servers = {}
 
-    def __enter__(self):
+    def __enter__(self) -> SoilModel:
         return self
 
-    def __exit__(self, *error):
+    def __exit__(self, *error: object) -> None:
         self.close()
 
-    def __del__(self):
+    def __del__(self) -> None:
         if hasattr(self, "servers"):
             self.close()
 
-    def __getstate__(self):
+    def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "servers": {}}
 
 
-def is_table(wave):
+def is_table(wave: Wave) -> bool:
     return isinstance(wave, tuple) and len(wave) == 2 and isinstance(wave[1], dict)
 
 
-def name_of(wave):
+def name_of(wave: Wave) -> tuple[Any, ...]:
     """What tells one wave from another: files with the time of their last change, or the numbers of a table."""
     if is_table(wave):
         return tuple((name, np.asarray(values, dtype=float).tobytes()) for name, values in [("", wave[0]), *sorted(wave[1].items())])
@@ -161,7 +208,7 @@ def name_of(wave):
     return tuple((str(path), path.stat().st_mtime_ns if path.exists() else 0) for path in paths)
 
 
-def write_table(path, time, loads):
+def write_table(path: Path, time: Any, loads: Mapping[str, Any]) -> Path:
     with open_h5(path, "w") as file:
         file["time"] = np.asarray(time, dtype=float)
         for name, values in loads.items():

@@ -1,20 +1,25 @@
 """What a study is drawn over, and how strongly a number follows a key; needs no matplotlib."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike
 
 
-def is_drawn(table, key):
+def is_drawn(table: Any, key: str) -> bool:
     """Whether a key was drawn at random: nearly all values are different."""
     return len(table.rows) >= 20 and len(set(table.words(key))) > 0.9 * len(table.rows)
 
 
-def default_axes(table):
+def default_axes(table: Any) -> list[str]:
     """Keys that vary; keys with words only if none has numbers, as the lines also show them."""
-    different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
+    different: list[str] = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
     return [key for key in different if table.numbers(key) is not None] or different
 
 
-def rank_correlation(x, y):
+def rank_correlation(x: ArrayLike, y: ArrayLike) -> float:
     """Spearman's correlation of values without ties."""
     ranks = [np.argsort(np.argsort(values)) for values in (x, y)]
-    return np.corrcoef(*ranks)[0, 1]
+    return float(np.corrcoef(ranks[0], ranks[1])[0, 1])

@@ -34,8 +34,8 @@ def unit_of(values: Any) -> str:
 
 def data_frame(columns: Mapping[str, Any], index: str | None = None, about: Mapping[str, Any] | None = None) -> pandas.DataFrame:
     """A DataFrame of columns of one length; its `attrs` have `units` and `descriptions` by column, and what is `about` it."""
-    pandas = needed("pandas", "to_pandas()")
-    frame = pandas.DataFrame({name: np.asarray(values) for name, values in columns.items()})
+    library = needed("pandas", "to_pandas()")
+    frame: pandas.DataFrame = library.DataFrame({name: np.asarray(values) for name, values in columns.items()})
     if index is not None:
         frame = frame.set_index(index)
     frame.attrs["units"] = {name: unit_of(values) for name, values in columns.items()}
@@ -46,14 +46,15 @@ def data_frame(columns: Mapping[str, Any], index: str | None = None, about: Mapp
 
 def data_set(variables: Mapping[str, tuple[tuple[str, ...], Any]], coordinates: Mapping[str, Any], about: Mapping[str, Any]) -> xarray.Dataset:
     """A Dataset of {name: (dimensions, values)}; `units` and `long_name` are attributes of each variable, as of the CF conventions."""
-    xarray = needed("xarray", "to_xarray()")
+    library = needed("xarray", "to_xarray()")
 
     def variable(dimensions: tuple[str, ...], values: Any) -> Any:
         marks = {"units": unit_of(values), "long_name": str(getattr(values, "description", ""))}
         return dimensions, np.asarray(values), {key: mark for key, mark in marks.items() if mark}
 
-    return xarray.Dataset({name: variable(dimensions, values) for name, (dimensions, values) in variables.items()},
+    found: xarray.Dataset = library.Dataset({name: variable(dimensions, values) for name, (dimensions, values) in variables.items()},
                           {name: variable((name,), values) for name, values in coordinates.items()}, dict(about))
+    return found
 
 
 def long_columns(table: Mapping[str, History], time: History) -> dict[str, Any]:

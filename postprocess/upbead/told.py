@@ -1,10 +1,14 @@
 """What a summary tells that nobody may miss: its checks and its warnings, wherever in it they stand."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
 from html import escape
 from math import inf
+from typing import Any
 
 
-def objects(found, path=()):
+def objects(found: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     """(path, object) of a summary and of all that is in it. A sheet has the checks and warnings of its parts."""
     if not path and isinstance(found, dict) and "parts" in found:
         found = {key: found.get(key) for key in ("verdict", "checks", "warnings")}
@@ -17,44 +21,45 @@ def objects(found, path=()):
             yield from objects(value, path)
 
 
-def checks(summary):
+def checks(summary: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Every check once, the worst first: those that fail, those that could not be judged, those that hold, those
     without a limit."""
-    found = []
+    found: list[dict[str, Any]] = []
     for path, one in objects(summary):
         if path[-1:] != ("verdict",) and "name" in one and ("holds" in one or "failing" in one) and one not in found:
             found.append(one)
     return sorted(found, key=rank)
 
 
-def rank(check):
+def rank(check: Mapping[str, Any]) -> tuple[int, float]:
     order = 0 if fails(check) else 1 if check.get("why_not") else 2 if check.get("holds") else 3
     return order, check["margin"] if check.get("margin") is not None else -inf
 
 
-def fails(check):
+def fails(check: Mapping[str, Any]) -> bool:
     """Of a study `failing` is the number of runs in which it fails."""
     return check.get("holds") is False or (check.get("failing") or 0) > 0
 
 
-def is_judged(check):
+def is_judged(check: Mapping[str, Any]) -> bool:
     return check.get("holds") is not None or check.get("failing") is not None
 
 
-def check_text(check):
+def check_text(check: Mapping[str, Any]) -> str:
     """One line for people, the program's own; results of older versions have none."""
     if check.get("text"):
-        return check["text"]
+        return str(check["text"])
     demand, capacity, unit = (check.get(key) for key in ("demand", "capacity", "unit"))
     number = "without bound" if demand is None else f"{demand:.4g} {unit or ''}".strip()
     against = "no limit given" if capacity is None else f"against {capacity:.4g}: {'holds' if check.get('holds') else 'DOES NOT HOLD'}"
     return f"{check['name']}: {number} {against}"
 
 
-def warnings(summary):
+def warnings(summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     """[(name, text)] of every warning once, its cure first; of a wave's own that of the whole summary, which names the
     wave, stands for it."""
-    found, seen = [], []
+    found: list[tuple[str, str]] = []
+    seen: list[tuple[str, str]] = []
     for path, one in objects(summary):
         for warning in one.get("warnings") or () if isinstance(one.get("warnings"), list) else ():
             pair = warning["name"], warning["text"]
@@ -64,24 +69,24 @@ def warnings(summary):
     return found
 
 
-def warning_text(warning):
+def warning_text(warning: Mapping[str, Any]) -> str:
     """What to do, and why; results of older versions have no cure of its own."""
     cure = warning.get("cure")
-    return f"{cure}: {warning['text'].removesuffix(f'; {cure}')}" if cure else warning["text"]
+    return f"{cure}: {warning['text'].removesuffix(f'; {cure}')}" if cure else str(warning["text"])
 
 
-def text_at(path, text):
+def text_at(path: tuple[str, ...], text: str) -> str:
     """The text, with the wave and the level that it is of: of ("waves", "design", "levels", "low")."""
     where = [name for above, name in zip(path, path[1:]) if above in ("waves", "levels")]
     return f"{' at '.join(where)}: {text}" if where else text
 
 
-def void(summary):
+def void(summary: Mapping[str, Any]) -> Any:
     """Why no verdict may be drawn, or None."""
     return (summary.get("verdict") or {}).get("why_void")
 
 
-def listed(summary):
+def listed(summary: Mapping[str, Any]) -> str:
     """HTML of all checks that fail and of all warnings, in the program's words; "" where there is none of them."""
     fail = [check_text(check) for check in checks(summary) if fails(check)]
     items = [f'<li class="warned">{escape(text)}</li>' for text in ([f"No verdict may be drawn: {void(summary)}"] if void(summary) else []) + fail]

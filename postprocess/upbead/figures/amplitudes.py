@@ -1,12 +1,22 @@
 """F_T over P and displacements by the size of the force: linear, equivalent-linear and hysteretic soil."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from .style import styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..results import Result
 
 WAYS = [("elastic", "linear", ":", "0.5"), ("equivalent", "equivalent-linear", "s--", "tab:blue"), ("hysteretic", "hysteretic", "o-", "tab:red")]
 
 
 @styled
-def amplitudes(rows):
+def amplitudes(rows: Mapping[str, Sequence[tuple[float, Result]]]) -> Figure:
     """rows: {way: [(factor of P, Result)]}, ways as in WAYS; missing ones are left out."""
     figure, (ratio, moved) = subplots(1, 2, figsize=(8.6, 3.6), layout="constrained")
     for way, name, line, colour in WAYS:

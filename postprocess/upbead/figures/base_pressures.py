@@ -1,8 +1,17 @@
 """Pressures and stresses over the width of the caisson's bottom, at characteristic times."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..results import Result
 
 TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
          ("uplift", "largest $U$", "tab:green")]
@@ -10,7 +19,7 @@ INNER = 0.9  # share of the width over which stresses are drawn: under the edges
 
 
 @styled
-def base_pressures(result):
+def base_pressures(result: Result) -> Figure:
     """A panel for each quantity by time and position in the table `base` of a Result, stresses and pressure first."""
     table = result.table("base")
     position = table["position"]

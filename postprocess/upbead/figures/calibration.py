@@ -1,15 +1,24 @@
 """Results of `upbead calibrate`: k = tau_0/tau_0F against alpha*, the fits, and the confidence of their a and b."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import matplotlib
 import numpy as np
 
 from .style import new_figure, plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..calibration_result import CalibrationResult
+
 MEASURES = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "excess": "time above $\\mu W'$"}
 
 
 @styled
-def calibration(results, measure="exact"):
+def calibration(results: CalibrationResult, measure: str = "exact") -> Figure:
     """A column for each model of a CalibrationResult.
 
     Above, a panel per r: the waves by their period, the fit with its 95 % band, and the given k (the paper's a = 0.3,
@@ -21,7 +30,7 @@ def calibration(results, measure="exact"):
 
 
 @styled
-def calibration_spectrum(results):
+def calibration_spectrum(results: CalibrationResult) -> Figure:
     """Peak F_T over peak P of every wave by the rise of its force."""
     return draw_spectrum(results)
 

@@ -1,10 +1,20 @@
 """Results of `upbead expected`: heights of the waves, S by height, and the part of each height in the expected
 sliding distance."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..errors import UserError
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..expected_result import ExpectedResult
 
 LAWS = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "combined": "combined (1998)", "dynamic": "own dynamics"}
 COLOURS = {"paper": "C0", "exact": "C1", "combined": "C2", "dynamic": "C3"}
@@ -12,7 +22,7 @@ STYLES = ["-", "--", ":", "-."]
 
 
 @styled
-def expected(results, laws=None):
+def expected(results: Sequence[ExpectedResult], laws: Sequence[str] | None = None) -> Figure:
     """The three panels of Figs. 12-14 of Shimosako and Takahashi (1994); curves of several ExpectedResults together.
 
     laws: keys of LAWS; default: all.

@@ -1,15 +1,24 @@
 """A record and the fit to it."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..least_squares import scipy_part
 from .style import mosaic, plain, styled
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..fit_result import Fit
+
 WIDEST = np.log(10.0)  # largest axis of the ellipse, in logarithms
 
 
 @styled
-def fit(found):
+def fit(found: Fit) -> Figure:
     """Record, first guess and fit of a Fit, the residual, measured and computed modes, and for two parameters the
     ellipse that contains both with 95 %."""
     columns = [["record", "residual"]] * bool(found.time.size) + [["modes"] * 2] * bool(found.modes)

@@ -1,16 +1,26 @@
 """A mesh: cells in the colour of their surface, and the named curves."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from .style import plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..msh import Mesh
+
 SURFACE_COLOURS = ["#f3e3b3", "#b9c6b0", "#c9ccd4", "#bfdcee", "#e6c9b8", "#d9cbe8"]
 
 
 @styled
-def mesh(mesh, title="", zoom=None):
+def mesh(mesh: Mesh, title: str = "", zoom: Sequence[float] | None = None) -> Figure:
     """Draws a gmsh mesh read by `upbead.msh.read`; zoom: x0, x1, y0, y1 of a part (m)."""
     figure, axes = subplots(figsize=(10, 4.5))
     handles = []

@@ -1,6 +1,16 @@
 """Study 1, model against prototype: F_T / P by the peak of P, stiffness, pulse, permeability, mound and caisson."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, TYPE_CHECKING
+
 from .style import styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..study_table import StudyTable
 
 SCALES = {"model": (20.0, "tab:blue"), "prototype": (1.0, "tab:red")}
 RATIO = "response.shear_to_force_ratio"
@@ -16,7 +26,7 @@ STUDIES = [study for study, *_ in PANELS] + ["duration"]
 
 
 @styled
-def model_prototype(tables, spectra):
+def model_prototype(tables: Mapping[tuple[str, str], StudyTable], spectra: Sequence[Mapping[str, Any]]) -> Figure:
     """tables: {(study, scale): StudyTable} of the studies STUDIES at the scales SCALES.
 
     spectra: shock spectra of one degree of freedom, [{"zeta", "td_over_Tn", "peak_FT"}].
@@ -34,7 +44,7 @@ def model_prototype(tables, spectra):
 
 
 @styled
-def model_prototype_panel(tables, spectra, study):
+def model_prototype_panel(tables: Mapping[tuple[str, str], StudyTable], spectra: Sequence[Mapping[str, Any]], study: str) -> Figure:
     """Only one of the studies; arguments as for model_prototype."""
     figure, axis = subplots(figsize=(5.2, 3.6), layout="constrained")
     if study == "duration":

@@ -1,12 +1,23 @@
 """Response of a reduced model: P and F_T of a wave, and |F_T / P| over frequency."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .style import plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike
+
+    from ..reduced_model import ReducedModel
+
 
 @styled
-def reduced_model(model, time, loads, reading="shear_force"):
+def reduced_model(model: ReducedModel, time: ArrayLike, loads: Mapping[str, ArrayLike], reading: str = "shear_force") -> Figure:
     """Draws a ReducedModel under {load: values} at times (s); reading: the reading drawn with P."""
     answer = model.respond(time, loads)
     figure, (history, spectrum) = subplots(2, 1, figsize=(6.5, 5.5))

@@ -1,14 +1,22 @@
 """Indices of each way to fail by each method, and which variables matter at the design points."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TYPE_CHECKING
+
 import numpy as np
 
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 MARKS = {"form": "s", "sorm": "D", "importance": "o", "subset": "^", "plain": "*"}
 
 
 @styled
-def reliability(summary):
+def reliability(summary: Mapping[str, Any]) -> Figure:
     """Two panels of a summary of `upbead reliability`: beta of an occasion, and the shares alpha^2."""
     modes = {name: mode for name, mode in summary["modes"].items() if mode["occasion"]["index"] is not None}
     rows = np.arange(len(modes))

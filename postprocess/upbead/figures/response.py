@@ -4,10 +4,19 @@ The panels are those of Figs. 2a and 2b of Shimosako and Takahashi (1994): wave 
 displacement of the caisson.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..errors import UserError
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..results import Result
 
 PANELS = [  # dataset, symbol, colour
     ("force", r"$P$", "tab:blue"),
@@ -18,7 +27,7 @@ PANELS = [  # dataset, symbol, colour
 
 
 @styled
-def response(result, until=None):
+def response(result: Result, until: float | None = None) -> Figure:
     """P, m x_G'', F_T and x_G of a Result with a caisson, with their peaks; or the probes of one without a caisson.
 
     Measured records are drawn over them. until: end of the time axis (s); default: the end of the response.
@@ -28,7 +37,7 @@ def response(result, until=None):
 
 
 @styled
-def probes(result, until=None):
+def probes(result: Result, until: float | None = None) -> Figure:
     """All quantities of all probes of a Result, a panel for each quantity."""
     return cut(draw_probes(result), result, until)
 
@@ -99,7 +108,8 @@ def draw_caisson(result):
         axes.plot(result.time, values, color=colour, lw=1.2)
         axes.axhline(0.0, color="black", lw=0.5)
         axes.set_ylabel(f"{symbol} ({unit})")
-        mark_peak(axes, *peak_of(result, name, values, factor), unit)
+        at, peak = peak_of(result, name, values, factor)
+        mark_peak(axes, at, peak, unit)
         draw_measured(axes, result, name, factor)
     draw_slip(rows[-1], result, histories[-1].scale()[0])
     forces = [axes for axes, history in zip(rows, histories) if history.unit == force.unit]

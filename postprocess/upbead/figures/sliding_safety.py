@@ -1,10 +1,18 @@
 """Sliding distance against the safety factor, as Fig. 10 of Shimosako and Takahashi (1994)."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, TYPE_CHECKING
+
 import numpy as np
 from matplotlib.lines import Line2D
 
 from ..errors import UserError
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 FORMULAS = {"paper": "eq. (7)", "exact": "eqs. (4) and (6), integrated", "combined": "standing wave and pulse"}
 COLOURS = ["tab:blue", "tab:red", "tab:green", "tab:purple", "tab:orange", "tab:brown"]
@@ -12,7 +20,7 @@ LINES = ["-", "--", ":", "-."]
 
 
 @styled
-def sliding_safety(summaries, formula="paper", low=0.6, high=1.0):
+def sliding_safety(summaries: Sequence[Mapping[str, Any]], formula: str = "paper", low: float = 0.6, high: float = 1.0) -> Figure:
     """A curve for each summary of `upbead waves`, a point for each of its waves, for safety factors from low to high.
 
     Colours stand for the friction coefficient, line styles for the design.

@@ -1,16 +1,25 @@
 """The bottom of a caisson that slips and lifts: normal stress, state of the nodes, contact and normal force."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
 from .style import mosaic, plain, styled
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..slip_result import SlipResult
+
 STATES = [("sticks", "0.88"), ("slips", "tab:orange"), ("is open", "tab:blue")]
 
 
 @styled
-def slip_bottom(result, until=None):
+def slip_bottom(result: SlipResult, until: float | None = None) -> Figure:
     """Draws a SlipResult; until: end of the time axes (s)."""
     figure, places = mosaic([["stress", "states"], ["stress", "contact"]], figsize=(11, 5.2), layout="constrained")
     places["states"].sharex(places["contact"])

@@ -1,14 +1,24 @@
 """One slide as Figs. 6 and 8 of Shimosako and Takahashi (1994): forces, displacement and slip over time."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..results import Result
+    from ..slip_result import SlipResult
 
 BONDED, COUPLED, NODES = "0.55", "tab:blue", "tab:red"
 
 
 @styled
-def slip_histories(slides, bonded, until=None):
+def slip_histories(slides: SlipResult, bonded: Result, until: float | None = None) -> Figure:
     """Draws a SlipResult, and the Result of the same case with a bonded caisson; until: end of the time axis (s)."""
     figure, rows = subplots(3, 1, sharex=True, figsize=(7, 8), layout="constrained")
     draw_forces(rows[0], slides, bonded)

@@ -1,6 +1,16 @@
 """The slip of a caisson by every measure against its safety factor."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from .style import plain, styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..study_table import StudyTable
 
 MEASURES = [  # column, name, line
     ("sliding.equal_impulse.sliding_paper", "pulse of equal impulse, eq. (7)", "s:", "0.6"),
@@ -14,7 +24,7 @@ LEAST = 0.03  # mm: slips below it are not shown
 
 
 @styled
-def slip_safety(tables, scales=None):
+def slip_safety(tables: Sequence[StudyTable], scales: Sequence[float] | None = None) -> Figure:
     """A panel for each StudyTable of a study such as cases/study/slip; scales convert lengths to full size (default:
     1)."""
     scales = scales or [1.0] * len(tables)

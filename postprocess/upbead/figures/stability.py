@@ -1,8 +1,15 @@
 """Scenes and results of the stability map."""
 
+from __future__ import annotations
+
 from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from .style import styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 LEAST = 1e-18  # smaller values are drawn at this value
 MEASURES = [  # column, label, bound
@@ -22,7 +29,7 @@ PARAMETERS = [  # values of a row, label
 
 
 @styled
-def stability(rows):
+def stability(rows: Sequence[Mapping[str, str]]) -> Figure:
     """A point for each scene of the map, rows of scenes.csv; the red line is the bound that must hold."""
     figure, axes = subplots(len(MEASURES), len(PARAMETERS), figsize=(13, 8.2), sharex="col", sharey="row")
     for i, (column, label, bound) in enumerate(MEASURES):

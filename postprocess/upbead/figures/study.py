@@ -1,7 +1,11 @@
 """Results of `upbead study`: a number read from each run against every varied key."""
 
+from __future__ import annotations
+
 import itertools
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,11 +14,16 @@ from ..errors import UserError
 from ..study_axes import default_axes, is_drawn, rank_correlation
 from .style import plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..study_table import StudyTable
+
 MOST_LINES = 8
 
 
 @styled
-def study(table, read=None, x=None):
+def study(table: StudyTable, read: str | None = None, x: Sequence[str] | None = None) -> Figure:
     """A panel for each varied key of a StudyTable.
 
     Keys that were varied over a few values give lines, one for each combination of the other keys; random draws give
@@ -23,7 +32,7 @@ def study(table, read=None, x=None):
     """
     read = chosen(table.reads, [read], "number")[0] if read else table.reads[0]
     y = table.numbers(read)
-    if not np.isfinite(y).any():
+    if y is None or not np.isfinite(y).any():
         raise UserError(f"no run has the number '{read}'")
     across = chosen(table.keys, x, "key") if x else default_axes(table)
     drawn = [key for key in across if is_drawn(table, key) and table.numbers(key) is not None]
@@ -82,7 +91,7 @@ def draw_points(axes, table, key, y):
 
 def draw_lines(axes, table, key, others, y):
     x = table.numbers(key)
-    words = sorted(set(table.words(key))) if x is None else None
+    words = sorted(set(table.words(key))) if x is None else []
     x = np.array([words.index(word) for word in table.words(key)]) if x is None else x
     combinations = list(zip(*(table.words(other) for other in others))) or [()] * len(x)
     different = sorted(set(combinations), key=combinations.index)

@@ -1,8 +1,13 @@
 """Style of the figures, and how they are made without a window."""
 
+from __future__ import annotations
+
 import functools
 import io
+from collections.abc import Callable
+from os import PathLike
 from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
 
 import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -10,6 +15,8 @@ from matplotlib.figure import Figure
 
 from ..errors import UserError
 
+Given = ParamSpec("Given")
+Made = TypeVar("Made")
 STYLE = {
     "font.size": 9,
     "axes.grid": True,
@@ -20,61 +27,61 @@ STYLE = {
 }
 
 
-class ResultFigure(Figure):
+class ResultFigure(Figure):  # type: ignore[misc]  # matplotlib 3.6 has no types
     """A matplotlib figure that a notebook shows, and that pyplot does not keep."""
 
-    def draw(self, renderer):
+    def draw(self, renderer: Any) -> None:
         with matplotlib.rc_context(STYLE):  # ticks are made only when the figure is drawn
             super().draw(renderer)
 
-    def _repr_png_(self):
+    def _repr_png_(self) -> bytes:
         return render(self)
 
 
-def render(figure, dpi=100):
+def render(figure: Figure, dpi: float = 100) -> bytes:
     """The figure as the bytes of a PNG, cropped to its content."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=dpi, bbox_inches="tight")
     return buffer.getvalue()
 
 
-def new_figure(figsize, layout=None):
+def new_figure(figsize: tuple[float, float], layout: str | None = None) -> ResultFigure:
     figure = ResultFigure(figsize=figsize, layout=layout)
     FigureCanvasAgg(figure)
     return figure
 
 
-def subplots(rows=1, columns=1, *, figsize, layout=None, **options):
+def subplots(rows: int = 1, columns: int = 1, *, figsize: tuple[float, float], layout: str | None = None, **options: Any) -> Any:
     """As pyplot.subplots, with a ResultFigure."""
     figure = new_figure(figsize, layout)
     return figure, figure.subplots(rows, columns, **options)
 
 
-def mosaic(places, *, figsize, layout=None):
+def mosaic(places: Any, *, figsize: tuple[float, float], layout: str | None = None) -> Any:
     """As pyplot.subplot_mosaic, with a ResultFigure."""
     figure = new_figure(figsize, layout)
     return figure, figure.subplot_mosaic(places)
 
 
-def styled(draw):
+def styled(draw: Callable[Given, Made]) -> Callable[Given, Made]:
     """A function that makes a figure in the style above, whatever the style of the caller."""
 
     @functools.wraps(draw)
-    def drawn(*arguments, **options):
+    def drawn(*arguments: Given.args, **options: Given.kwargs) -> Made:
         with matplotlib.rc_context(STYLE):
             return draw(*arguments, **options)
 
     return drawn
 
 
-def plain(text):
+def plain(text: object) -> str:
     """A user's text unchanged: no mathematics between $ and $, and not left out of a legend because of a leading
     _."""
     text = str(text).replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
 
 
-def save(figure, path):
+def save(figure: Figure, path: str | PathLike[str]) -> None:
     """Writes the figure in the format of the file's ending (.png, .pdf, .svg)."""
     path = Path(path)
     known = figure.canvas.get_supported_filetypes()

@@ -1,12 +1,20 @@
 """Exact solutions as lines, computed values as dots."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, TYPE_CHECKING
+
 from .style import styled, subplots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @styled
-def verification(records):
+def verification(records: Sequence[Mapping[str, Any]]) -> Figure | None:
     """A panel for each name among the curves of a problem's records; None where it has no curves."""
-    panels = {}
+    panels: dict[str, list[Any]] = {}
     for record in records:
         for curve in record["curves"]:
             panels.setdefault(curve["panel"], []).append(curve)

@@ -1,13 +1,21 @@
 """Pressure over the height of the wall, with and without alpha_I: Figs. 7 and 9 of Shimosako and Takahashi (1994)."""
 
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, TYPE_CHECKING
+
 import numpy as np
 
 from ..errors import UserError
 from .style import plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 
 @styled
-def wave_pressure(summaries, wave=None, measured=None):
+def wave_pressure(summaries: Sequence[Mapping[str, Any]], wave: str | None = None, measured: Sequence[Any] | None = None) -> Figure:
     """A panel for each summary of `upbead waves`.
 
     wave: its name, if there are several. measured: for each summary None, or rows of height above still water (m) and

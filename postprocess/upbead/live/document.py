@@ -1,8 +1,11 @@
 """One HTML file: numbers of a model, of a design or of both, the modules that compute with them, and their style."""
 
+from __future__ import annotations
+
 import html
 import json
 import re
+from os import PathLike
 from pathlib import Path
 
 from .. import told
@@ -24,13 +27,25 @@ OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "desi
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
 
-def page(model, output=None, design=None, program=None):
-    """Writes the page of a reduced model, of a design, or of both; returns its path.
+def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, design: str | PathLike[str] | None = None,
+         program: str | PathLike[str] | None = None) -> Path:
+    """Writes the page of a reduced model, of a design, or of both, which answers other waves while one drags.
 
-    model: reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`. output:
-    the page; default: page.html beside the model, or in the folder of the results (results/NAME for a design file).
-    design: a design in addition to the model. program: path of the program, which reads design files. The page
-    contains everything that it shows, and needs no network.
+    Parameters
+    ----------
+    model : path
+        reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`.
+    output : path, optional
+        The page; default: page.html beside the model, or in the folder of the results (results/NAME for a design file).
+    design : path, optional
+        A design in addition to the model.
+    program : path, optional
+        The program, which reads design files.
+
+    Returns
+    -------
+    Path
+        The page, which contains everything that it shows, and needs no network.
     """
     given = Path(model)
     if is_design(given):
