@@ -8,6 +8,7 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
+#include "findings/section_outlines.h"
 #include "findings/topics.h"
 #include "run/derived.h"
 
@@ -200,9 +201,9 @@ std::vector<Dataset> tables(const Run& run) {
   add("history/", run.history.series, told(run.history, whole_tolerance(*run.simulation)));
   if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
   if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
-  for (auto part :
-       {base_tables(*run.simulation, run.history.series), node_tables(run.contact), coupled_tables(run.summary.sliding),
-        circle_tables(run.summary.circles), cycle_tables(run.summary.cycles)})
+  for (auto part : {base_tables(*run.simulation, run.history.series), node_tables(run.contact),
+                    coupled_tables(run.summary.sliding), circle_tables(run.summary.circles),
+                    cycle_tables(run.summary.cycles), section_outlines(*run.simulation->mesh())})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

@@ -17,6 +17,7 @@ std::string cell_fields_vtu(const Mesh& mesh, const std::vector<CellField>& fiel
     values.emplace_back(field.values.begin(), field.values.end());
     out.add_data_vector(values.back(), field.name, dealii::DataOut<dim>::type_cell_data);
   }
+  out.add_regions(mesh);
   out.build_patches();
   std::ostringstream file;
   write_vtu(file, out.grid(), out.arrays());

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace upbead {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int space = 3;                    ///< VTK has no plane points
 constexpr unsigned char quadrilateral = 9;  ///< VTK_QUAD
+const char* const region_field = "region";
 
 /// The lattice of a patch: its points along a side, and their places in arrays, x first.
 struct Lattice {
@@ -47,10 +49,24 @@ void add_cells(int first, const Lattice& lattice, std::vector<int>& connectivity
 
 }  // namespace
 
+void FieldPatches::add_regions(const Mesh& mesh) {
+  names_ = mesh.surfaces;
+  regions_.reinit(mesh.triangulation.n_active_cells());
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    regions_[cell->active_cell_index()] = cell->material_id();
+  add_data_vector(regions_, region_field, DataOut<dim>::type_cell_data);
+}
+
+std::size_t FieldPatches::region_row() const {
+  const std::vector<std::string> names = get_dataset_names();
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), region_field) - names.begin());
+}
+
 VtuGrid FieldPatches::grid() const {
   constexpr int corners = GeometryInfo<dim>::vertices_per_cell;
   std::vector<double> points;  // in double precision: coordinates of a survey are large beside cells
-  std::vector<int> connectivity, offsets;
+  std::vector<int> connectivity, offsets, regions;
+  const auto row = static_cast<unsigned>(region_row());
   int n_points = 0, n_cells = 0;
   for (const DataOutBase::Patch<dim>& patch : get_patches()) {
     const Lattice lattice(patch);
@@ -58,6 +74,7 @@ VtuGrid FieldPatches::grid() const {
     add_cells(n_points, lattice, connectivity);
     n_points += lattice.n_points();
     n_cells += lattice.n_cells();
+    if (!names_.empty()) regions.resize(static_cast<std::size_t>(n_cells), static_cast<int>(patch.data(row, 0)));
   }
   for (int cell = 1; cell <= n_cells; ++cell) offsets.push_back(corners * cell);
   const std::vector<unsigned char> types(static_cast<std::size_t>(n_cells), quadrilateral);
@@ -66,7 +83,9 @@ VtuGrid FieldPatches::grid() const {
           vtu_array("points", space, points, Packing::of_grid),
           vtu_array("connectivity", 1, connectivity, Packing::of_grid),
           vtu_array("offsets", 1, offsets, Packing::of_grid),
-          vtu_array("types", 1, types, Packing::of_grid)};
+          vtu_array("types", 1, types, Packing::of_grid),
+          names_.empty() ? VtuArray{} : vtu_array(region_field, 1, regions, Packing::of_grid),
+          names_};
 }
 
 VtuArray FieldPatches::array(const std::string& name, unsigned first, unsigned last, int components) const {
@@ -86,6 +105,7 @@ std::vector<VtuArray> FieldPatches::arrays() const {
   const std::vector<std::string> names = get_dataset_names();
   std::vector<VtuArray> list;
   std::vector<bool> taken(names.size(), false);
+  if (const std::size_t row = region_row(); row < taken.size()) taken[row] = true;
   for (const auto& [first, last, name, interpretation] : get_nonscalar_data_ranges()) {
     list.push_back(array(name, first, last, space));
     for (unsigned i = first; i <= last; ++i) taken[i] = true;

@@ -134,6 +134,7 @@ void fill(const Space& space, bool inertia, const Expanded& state, const SoilFie
   }
   using MeshCell = Triangulation<dim>::cell_iterator;
   const Mesh& mesh = space.mesh();
+  out.add_regions(mesh);
   if (part != Part::whole)
     out.set_cell_selection(FilteredIterator<MeshCell>([&mesh, part](const MeshCell& cell) {
       return cell->is_active() && (mesh.surfaces[cell->material_id()] == caisson_name) == (part == Part::caisson);

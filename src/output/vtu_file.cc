@@ -95,6 +95,17 @@ class Declarations {
   std::vector<const VtuArray*> arrays_;
 };
 
+/// Texts as VTK reads them without a compressor: the code of each byte, a zero behind each text.
+void declare_texts(const std::string& name, const std::vector<std::string>& texts, std::ostream& out) {
+  out << "<FieldData>\n<DataArray type=\"String\" Name=\"" << name << "\" NumberOfTuples=\"" << texts.size()
+      << "\" format=\"ascii\">\n";
+  for (const std::string& text : texts) {
+    for (const char c : text) out << static_cast<int>(static_cast<unsigned char>(c)) << ' ';
+    out << "0\n";
+  }
+  out << "</DataArray>\n</FieldData>\n";
+}
+
 }  // namespace
 
 VtuArray vtu_array(const std::string& name, int components, const std::vector<float>& values, Packing packing) {
@@ -119,12 +130,19 @@ void write_vtu(std::ostream& out, const VtuGrid& grid, const std::vector<VtuArra
   Declarations declarations(out);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\""
       << (little_endian ? "LittleEndian" : "BigEndian")
-      << "\" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-      << grid.n_points << "\" NumberOfCells=\"" << grid.n_cells << "\">\n<Points>\n";
+      << "\" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
+  if (!grid.region_names.empty()) declare_texts("region_names", grid.region_names, out);
+  out << "<Piece NumberOfPoints=\"" << grid.n_points << "\" NumberOfCells=\"" << grid.n_cells << "\">\n<Points>\n";
   declarations.declare(grid.points);
   out << "</Points>\n<Cells>\n";
   for (const VtuArray* array : {&grid.connectivity, &grid.offsets, &grid.types}) declarations.declare(*array);
-  out << "</Cells>\n<PointData>\n";
+  out << "</Cells>\n";
+  if (!grid.regions.name.empty()) {
+    out << "<CellData>\n";
+    declarations.declare(grid.regions);
+    out << "</CellData>\n";
+  }
+  out << "<PointData>\n";
   for (const VtuArray& array : data) declarations.declare(array);
   out << "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   declarations.append();

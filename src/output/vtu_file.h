@@ -30,9 +30,11 @@ VtuArray vtu_array(const std::string& name, int components, const std::vector<un
 struct VtuGrid {
   std::size_t n_points = 0, n_cells = 0;
   VtuArray points, connectivity, offsets, types;
+  VtuArray regions{};                       ///< number of each cell's region; without a name: none
+  std::vector<std::string> region_names{};  ///< by that number, as the field data `region_names` of the file
 };
 
-/// Writes a grid and arrays of numbers at its points.
+/// Writes a grid, the regions of its cells and arrays of numbers at its points.
 void write_vtu(std::ostream& out, const VtuGrid& grid, const std::vector<VtuArray>& data);
 
 }  // namespace upbead

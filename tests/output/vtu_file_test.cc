@@ -87,6 +87,25 @@ TEST(VtuFile, DeclaresWhereArraysLie) {
   EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"1\""), std::string::npos);
 }
 
+TEST(VtuFile, NamesTheRegionsOfCells) {
+  const VtuArray none = vtu_array("points", 3, std::vector<float>{}, Packing::of_grid);
+  const std::vector<int> regions{1, 0, 1};
+  const VtuGrid grid{0, 3, none, none, none, none, vtu_array("region", 1, regions, Packing::of_grid), {"sand", "a<b"}};
+  std::ostringstream out;
+  write_vtu(out, grid, {});
+  const std::string text = out.str();
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(
+      text, found, std::regex("<CellData>\n<DataArray type=\"Int32\" Name=\"region\"[^>]*offset=\"([0-9]+)\"")));
+  const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+  const std::string values = inflated(text.substr(text.find(mark) + mark.size() + std::stoul(found[1])));
+  ASSERT_EQ(values.size(), regions.size() * sizeof(int));
+  EXPECT_EQ(std::memcmp(values.data(), regions.data(), values.size()), 0);
+  EXPECT_NE(text.find("Name=\"region_names\" NumberOfTuples=\"2\" format=\"ascii\">\n"
+                      "115 97 110 100 0\n97 60 98 0\n</DataArray>"),
+            std::string::npos);
+}
+
 /// Coordinates of a survey need more digits than single precision has.
 TEST(VtuFile, KeepsPointsInDoublePrecision) {
   const std::vector<double> values{441871.65, 6329700.75, 441871.7};

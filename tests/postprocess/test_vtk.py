@@ -57,6 +57,20 @@ class Fields(unittest.TestCase):
             names = {item.get("Name") for item in head.iter("DataArray")}
             self.assertEqual(asked() - names, OF_YIELDING, path.name)  # no soil yields in this run
 
+    def test_cells_know_their_region(self):
+        """In every file, though no soil yields: a number of each small cell, and the names by these numbers."""
+        for _, path in self.steps:
+            names, numbers = vtu.regions(path)
+            self.assertEqual(sorted(names), ["caisson", "mound", "sea_back", "sea_front", "seabed"], path.name)
+            grid = vtu.arrays(path, ("points", "types"))
+            self.assertEqual(numbers.shape, grid["types"].shape)
+            corners = vtu.corners(len(grid["points"]), len(grid["types"]))
+            middles = grid["points"][corners, :2].mean(axis=1)
+            of_patches = numbers.reshape(len(corners), -1)
+            self.assertTrue((of_patches == of_patches[:, :1]).all())
+            seabed = of_patches[:, 0] == names.index("seabed")
+            self.assertTrue(((middles[:, 1] < 0) == seabed).all())
+
     @unittest.skipUnless(importlib.util.find_spec("vtkmodules"), "no python3-vtk9")
     def test_vtk_reads_the_same_numbers(self):
         from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -72,6 +86,10 @@ class Fields(unittest.TestCase):
             for name in asked() - OF_YIELDING:
                 read = vtk_to_numpy(grid.GetPointData().GetArray(name))
                 np.testing.assert_array_equal(read, ours[name], name)
+            names, numbers = vtu.regions(path)
+            texts = grid.GetFieldData().GetAbstractArray("region_names")
+            self.assertEqual([texts.GetValue(i) for i in range(texts.GetNumberOfValues())], names)
+            np.testing.assert_array_equal(vtk_to_numpy(grid.GetCellData().GetArray("region")), numbers)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,15 @@ def arrays(path, wanted):
         raise UserError(f"cannot read the fields in '{path}': {error}") from error
 
 
+def regions(path):
+    """(names, number of each small cell): the regions of a .vtu; ([], None) in files of before they had them."""
+    numbers = arrays(path, ("region",)).get("region")
+    root = ElementTree.fromstring(parts(Path(path).read_bytes())[0])
+    texts = next((item.text or "" for item in root.iter("DataArray") if item.get("Name") == "region_names"), "")
+    names = bytes(map(int, texts.split())).decode(errors="replace").split("\0")[:-1]
+    return names, numbers
+
+
 def parts(content):
     """The XML of a file, and the bytes appended to it."""
     head, mark, rest = content.partition(b"<AppendedData")
