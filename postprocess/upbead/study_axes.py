@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+GROUPS = ("regions", "loads", "mesh", "parameters", "response")  # of keys, that say nothing to a reader
+
 
 def is_drawn(table: Any, key: str) -> bool:
     """Whether a key was drawn at random: nearly all values are different."""
@@ -17,6 +19,18 @@ def default_axes(table: Any) -> list[str]:
     """Keys that vary; keys with words only if none has numbers, as the lines also show them."""
     different: list[str] = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
     return [key for key in different if table.numbers(key) is not None] or different
+
+
+def spreads(values: Any) -> bool:
+    """Whether values cover so much of a decade or more that an axis over decades shows them better."""
+    return bool(np.all(values > 0) and values.max() > 8 * values.min())
+
+
+def in_words(key: str) -> str:
+    """A key of a case as a reader says it: regions.seabed.shear_modulus as 'seabed: shear modulus'."""
+    parts = [part.strip("\"'").replace("_", " ") for part in key.split(".")]
+    where = [part for part in parts[:-1] if part not in GROUPS]
+    return ": ".join([" ".join(where), parts[-1]] if where else parts[-1:])
 
 
 def rank_correlation(x: ArrayLike, y: ArrayLike) -> float:

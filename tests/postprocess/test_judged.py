@@ -21,7 +21,7 @@ from judged_designs import design
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-from report import inputs, kinds, reference, source_case  # noqa: E402
+from report import inputs, kinds, reference, source_case, typeset  # noqa: E402
 from upbead import live, told  # noqa: E402
 from upbead.opening import open_result  # noqa: E402
 from upbead.results import read_case  # noqa: E402
@@ -75,6 +75,11 @@ def visible(page):
     return plain(html.unescape(re.sub(r"<[^>]*>", "", page)))
 
 
+def as_set(text):
+    """Words of the program as a report sets them: alpha_1 as α with a subscript."""
+    return visible(typeset.words(html.escape(text)))
+
+
 class Judged(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -100,7 +105,7 @@ class Judged(unittest.TestCase):
         wanted = list(said(json.loads((folder / "summary.json").read_text())))
         for language in ("en", "ja"):
             text = visible(kinds.build(folder, None, language))
-            self.stand(wanted, text, (folder.name, language))
+            self.stand(map(as_set, wanted), text, (folder.name, language))
             verdict = text.partition("Question" if language == "en" else "検討課題")[2][:3000]
             self.assertFalse(wanted and ("limit all hold" in verdict or "すべて満足する" in verdict), folder.name)
         if notebook:

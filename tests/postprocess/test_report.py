@@ -136,7 +136,7 @@ class Report(unittest.TestCase):
     def test_the_page_needs_nothing_else(self):
         for name, text in self.pages.items():
             self.assertNotIn("http", text, name)
-            self.assertNotRegex(text, r"""\b(src|srcset|poster)=|@import|url\(""", name)
+            self.assertNotRegex(text, r"""\b(src|srcset|poster)=|@import|url\((?!#)""", name)  # hatches of the page itself have a name
             self.assertLessEqual(set(re.findall(r'href="([^"]*)"', text)), {"data:,", "#quality"}, name)
 
     def test_every_plot_has_a_still_picture_and_the_same_data(self):

@@ -11,12 +11,13 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
+import h5py
 import numpy as np
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
 
-from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
+from report import corners, drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
 from report import construction, yielding, zones  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
@@ -282,7 +283,8 @@ class Geometry(unittest.TestCase):
         own = {"subsoil_depth": 13, "mound_slope_back": 1.5, "water_depth_back": 11.5, "sea_front": 6, "sea_back": 6}
         for given, both in ((own, True), ({"sea_front": 6, "sea_back": 6}, False)):
             outline = geometry.section({"mesh": {"geometry": "composite", "parameters": given}}, ".")
-            page = str(drawing.drawing(outline, {}, {}, 860, "wide"))
+            case = {"regions": {"caisson": {"kind": "rigid"}, "sea_front": {"kind": "water"}, "sea_back": {"kind": "water"}}}
+            page = str(drawing.drawing(outline, case, {}, 860, "wide"))
             self.assertIn("1 : 2", page)
             for words in ("11.5\u00a0m", "13\u00a0m", "1 : 1.5", "subsoil"):
                 self.assertEqual(words in page, both, words)
@@ -293,6 +295,18 @@ class Geometry(unittest.TestCase):
             (loop,) = geometry.outline([[1, 2, 5, 4], second], points)
             self.assertEqual(sorted(loop), sorted(points.values()))
             self.assertEqual(abs(polygon(loop)), 2.0)
+
+    def test_the_outlines_in_results_are_those_of_the_mesh(self):
+        """Sides of cells in any order, of survey coordinates too, give each region's loop."""
+        with tempfile.TemporaryDirectory() as folder, h5py.File(Path(folder) / "results.h5", "w") as file:
+            x0 = 441871.65
+            sides = [(0, 0, 1, 0), (2, 0, 1, 0), (2, 0, 2, 1), (2, 1, 1, 1), (0, 1, 1, 1), (0, 0, 0, 1)]
+            file["section/sand/fill"] = np.array(sides, dtype=float) + [x0, 0, x0, 0]  # a name with a slash
+            found = geometry.section({"mesh": {"file": "nowhere.geo"}}, folder, file)
+            (loop,) = found.regions["sand/fill"]
+            self.assertEqual(len(loop), 6)
+            self.assertAlmostEqual(abs(polygon([(x - x0, y) for x, y in loop])), 2.0, places=6)
+            self.assertEqual(len(corners.simple(loop)), 4)
 
     def test_a_script_of_ones_own_is_drawn_where_gmsh_is_installed(self):
         """With a script instead of gmsh that records its arguments and copies a mesh."""

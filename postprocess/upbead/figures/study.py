@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from .. import outputs
 from ..errors import UserError
-from ..study_axes import default_axes, is_drawn, rank_correlation
-from .style import plain, styled, subplots
+from ..study_axes import default_axes, in_words, is_drawn, rank_correlation, spreads
+from .style import mathematics, plain, scaled, styled, subplots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,8 +33,8 @@ def study(table: StudyTable, read: str | None = None, x: Sequence[str] | None = 
     read: the number to draw (default: the first); x: the keys to draw it against (default: all).
     """
     read = chosen(table.reads, [read], "number")[0] if read else table.reads[0]
-    y = table.numbers(read)
-    if y is None or not np.isfinite(y).any():
+    y = numbers(table, read)
+    if not np.isfinite(y).any():
         raise UserError(f"no run has the number '{read}'")
     across = chosen(table.keys, x, "key") if x else default_axes(table)
     drawn = [key for key in across if is_drawn(table, key) and table.numbers(key) is not None]
@@ -66,17 +68,39 @@ def grid(n):
 
 
 def label(table, name):
-    unit = table.units.get(name) or outputs.unit(name)
-    return plain(f"{name} ({unit})" if unit else name)
+    """What a key or number is, with its unit as it is drawn."""
+    unit = drawn_in(table, name)[1]
+    words = outputs.label(name) or in_words(name)
+    return mathematics(wrapped(f"{words} ({unit})" if unit else words))
+
+
+def wrapped(words, letters=44):
+    return "\n".join(textwrap.wrap(words, letters))
+
+
+def drawn_in(table, name):
+    """(factor, unit) in which a key or number is drawn: with the prefix that suits its largest value."""
+    unit, values = table.units.get(name) or outputs.unit(name), table.numbers(name)
+    peak = 0.0 if values is None or not np.isfinite(values).any() else np.nanmax(np.abs(values))
+    return scaled(unit, float(peak))
+
+
+def numbers(table, name):
+    values = table.numbers(name)
+    return None if values is None else values * drawn_in(table, name)[0]
 
 
 def scale_axis(axes, values):
-    if np.all(values > 0) and values.max() > 8 * values.min():
+    if spreads(values):
         axes.set_xscale("log")
+        ticker = LogLocator(subs=(1, 2, 5))
+        axes.xaxis.set_major_locator(ticker)
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.xaxis.set_minor_formatter(NullFormatter())
 
 
 def draw_points(axes, table, key, y):
-    x = table.numbers(key)
+    x = numbers(table, key)
     cases = table.words("case") if "case" in table.keys else [""] * len(x)
     for case in dict.fromkeys(cases):
         good = np.isfinite(y) & np.array([found == case for found in cases])
@@ -90,8 +114,8 @@ def draw_points(axes, table, key, y):
 
 
 def draw_lines(axes, table, key, others, y):
-    x = table.numbers(key)
-    words = sorted(set(table.words(key))) if x is None else []
+    x = numbers(table, key)
+    words = sorted(set(table.words(key))) if x is None else None
     x = np.array([words.index(word) for word in table.words(key)]) if x is None else x
     combinations = list(zip(*(table.words(other) for other in others))) or [()] * len(x)
     different = sorted(set(combinations), key=combinations.index)
@@ -99,7 +123,7 @@ def draw_lines(axes, table, key, others, y):
     for combination in different:
         chosen = np.array([found == combination for found in combinations])
         order = np.argsort(x[chosen], kind="stable")
-        name = ", ".join(f"{other.split('.')[-1]} {value}" for other, value in zip(others, combination))
+        name = ", ".join(f"{in_words(other)} {value}" for other, value in zip(others, combination))
         axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3, linewidth=1, alpha=0.4 if crowded else 1,
                   color="C0" if crowded else None, label=None if crowded else plain(name))
     if words:

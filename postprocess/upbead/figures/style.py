@@ -6,6 +6,7 @@ import functools
 import io
 from collections.abc import Callable
 from os import PathLike
+import re
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
@@ -13,6 +14,7 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from .. import prefixes
 from ..errors import UserError
 
 Given = ParamSpec("Given")
@@ -25,6 +27,7 @@ STYLE = {
     "axes.spines.right": False,
     "legend.frameon": False,
 }
+SYMBOL = re.compile(r"(?<![A-Za-z0-9_])([A-Za-z])_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
 
 
 class ResultFigure(Figure):  # type: ignore[misc]  # matplotlib 3.6 has no types
@@ -79,6 +82,17 @@ def plain(text: object) -> str:
     _."""
     text = str(text).replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
+
+
+def mathematics(words: str) -> str:
+    """A text with its symbols set by matplotlib: x_G, F_T."""
+    return SYMBOL.sub(r"$\1_{\\mathrm{\2}}$", plain(words))
+
+
+def scaled(unit: str, peak: float) -> tuple[float, str]:
+    """(factor, unit to write) with the prefix that suits the largest value, as in the reports."""
+    factor, name = prefixes.scale(unit, peak, 10.0)
+    return factor, prefixes.pretty(name)
 
 
 def save(figure: Figure, path: str | PathLike[str]) -> None:

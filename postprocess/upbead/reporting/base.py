@@ -26,6 +26,7 @@ SIGNS = {name: sign for name, sign, _, _ in FORCES}
 HIDDEN = {"heel_pressure": "peak_heel_pressure", "toe_pressure": "peak_toe_pressure"}  # history: its peak in the summary
 INNER = 0.9  # share of the width over which stresses are drawn
 ROUND_OFF = 1e-9
+FLAT = 0.01  # of the largest in a panel
 SYMBOL_BEFORE = re.compile(r"^[A-Z]\w*'*, ")  # descriptions may begin with the symbol
 PROFILES = [
     ("normal_stress", "effective normal stress, change"),
@@ -80,11 +81,18 @@ def is_zero(result, values):
     return largest(values) <= ROUND_OFF * largest(result.history("shear_force"))
 
 
+def is_flat(result, name, panel):
+    """Whether a line would lie on the axis, as another one of its panel is a hundred times as large."""
+    others = [other for other, _, _, place in FORCES if place == panel and is_drawn(result, other) and result.history(other) is not None]
+    most = max((largest(result.history(other)) for other in others), default=0.0)
+    return largest(result.history(name)) < FLAT * most
+
+
 def forces(result):
     time, panels = np.asarray(result.time), {}
     for name, symbol, colour, panel in FORCES:
         history = result.history(name) if is_drawn(result, name) else None
-        if history is not None and not is_zero(result, history):
+        if history is not None and not is_zero(result, history) and not is_flat(result, name, panel):
             panels.setdefault(panel, Panel(history.unit, [], height=110)).lines.append(
                 Line(symbol, time, np.asarray(history), colour)
             )
@@ -106,11 +114,13 @@ def width_caption(result):
 
 def explained(result):
     found = []
-    for name, sign, _, _ in FORCES:
+    for name, sign, _, panel in FORCES:
         if is_drawn(result, name):
             history = result.history(name)
             about = prose(told(SYMBOL_BEFORE.sub("", history.description)))
             zero = say(", zero here") if is_zero(result, history) else ""
+            if not zero and is_flat(result, name, panel):
+                zero = phrase(", not drawn: at most {value}", value=quantity(largest(history), history.unit))
             found.append(join([symbol(sign), ": ", about, zero]))
     return phrase("At the bottom, over time: {quantities}.", quantities=join(found, "; "))
 

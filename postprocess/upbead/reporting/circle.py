@@ -80,7 +80,7 @@ def window_of(outline, circle, cut):
 
 def drawing(result, outline, circle, width, class_):
     cut = slices(result)
-    canvas = Canvas(window_of(outline, circle, cut), width, (8, 8, 10, 10))
+    canvas = Canvas(window_of(outline, circle, cut), width, (8, 8, 10, 10), "circle")
     box = clip(canvas)
     areas(canvas, outline, result.case)
     canvas.parts = [box, tag("g", *canvas.parts, clip_path=f"url(#circle-{width})")]

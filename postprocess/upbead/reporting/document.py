@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from . import typeset
 from .language import say, spoken
 from .markup import Markup, data, tag
 
@@ -34,5 +35,5 @@ def document(title, body):
         tag("link", rel="icon", href="data:,"),
     )
     words = data({word: say(word) for word in OF_SCRIPTS}, "words")
-    inside = tag("head", *meta, tag("title", title), style), tag("body", tag("main", body), words, *scripts)
+    inside = tag("head", *meta, tag("title", title), style), tag("body", tag("main", Markup(typeset.page(body))), words, *scripts)
     return "<!DOCTYPE html>\n" + tag("html", *inside, lang=spoken()) + "\n"

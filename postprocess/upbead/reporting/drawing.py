@@ -1,13 +1,19 @@
-"""The section drawn with its dimensions, the water level, the heights of the loads and the probes."""
+"""The section drawn with its dimensions, the water level, the heights of the loads and the probes.
 
-from . import units
+One way for every section: what is drawn follows from the outlines of its regions, of a shipped geometry or of an own mesh.
+"""
+
+from . import patterns, units
 from .canvas import Canvas
-from .geometry import floors, of_side, toes
+from .corners import column_at, corners, features, merged, slopes, top_at
 from .language import named, say
 from .markup import join, tag
 
 NARROW = 500  # px; narrower drawings have no room for all words
-FILLS = {"rigid": "rigid", "water": "water", "solid": "solid"}
+ROOM = 0.28  # of the drawn width, beside the outermost corners
+WIDEST = 3.2  # a drawing over the width of mound and caisson: what lies farther away is cut off
+ARM = 62  # px between the dimensions of two loads' arms
+ORDER = {"water": 0, "porous": 1, "solid": 2, "rigid": 3}
 
 
 def draw(section, case, summary):
@@ -16,29 +22,39 @@ def draw(section, case, summary):
 
 
 def drawing(section, case, summary, width, class_):
-    p = section.parameters
-    composite = "mound_slope" in p and "caisson_width" in p
-    window = near(section, p) if composite else around(section)
-    canvas = Canvas(window, width, (8, 8, 30, 40) if composite else (70, 60, 30, 40))
+    body = body_of(section)
+    window = near(section, case) if body else around(section)
+    canvas = Canvas(window, width, (8, 8, 30, 50) if body else (70, 60, 30, 40), "section")
     areas(canvas, section, case)
-    if composite:
-        dimensions(canvas, p)
-        ends(canvas, p)
+    if body:
+        still_water(canvas, section, case, summary)
+        dimensions(canvas, section, body)
+        ends(canvas, section)
     else:
         outer_dimensions(canvas, section)
-    names(canvas, section, case, composite)
-    probes(canvas, case)
     loads(canvas, section, case, summary)
+    probes(canvas, case)
+    names(canvas, section, case)
     return canvas.svg(say("section with its dimensions"), class_)
 
 
-def near(section, p):
-    """The window of the mound and 0.28 of its width on either side; the seabed continues."""
-    left, right = toes(p).values()
-    room = 0.28 * (right - left)
-    _, _, low, high = section.box()
+def body_of(section):
+    """The outline of what stands on the ground, from the toes of the mound to the walls; empty without a caisson."""
+    found = [name for name in ("mound", "caisson") if name in section.regions]
+    return found if "caisson" in found and len(section.regions) > 1 else []
+
+
+def near(section, case):
+    """The window of all ground that has a corner within the section, with room on either side; the ground continues."""
     whole = section.box()
-    return max(left - room, whole[0]), min(right + room, whole[1]), low, high
+    ground = [name for name, keys in keys_of(section, case).items() if keys.get("kind") != "water"]
+    at = [x for name in ground for loop in corners(section.regions[name]) for x, _ in features(loop, whole)]
+    boxes = [section.box(name) for name in body_of(section)]
+    least, most = min(box[0] for box in boxes), max(box[1] for box in boxes)
+    spare = (WIDEST - 1) / 2 * (most - least) / (1 + 2 * ROOM)
+    left, right = max(min([least, *at]), least - spare), min(max([most, *at]), most + spare)
+    room = ROOM * (right - left)
+    return max(left - room, whole[0]), min(right + room, whole[1]), whole[2], whole[3]
 
 
 def around(section):
@@ -48,111 +64,129 @@ def around(section):
     return x0 - air, x1 + air, y0, y1
 
 
+def keys_of(section, case):
+    return {name: case.get("regions", {}).get(name, {}) for name in section.regions}
+
+
 def areas(canvas, section, case):
-    order = {"water": 0, "porous": 1, "solid": 2, "rigid": 3}
-    kinds = {name: case.get("regions", {}).get(name, {}).get("kind", "porous") for name in section.regions}
-    for name in sorted(section.regions, key=lambda n: order.get(kinds[n], 1)):
-        class_ = FILLS.get(kinds[name]) or {"mound": "rubble", "subsoil": "subsoil"}.get(name, "soil")
-        canvas.add(*(canvas.loop(loop, "area " + class_) for loop in section.regions[name]))
+    looks = patterns.looks(keys_of(section, case))
+    kinds = {name: keys.get("kind", "porous") for name, keys in keys_of(section, case).items()}
+    for name in sorted(section.regions, key=lambda n: ORDER.get(kinds[n], 1)):
+        class_, pattern = looks[name]
+        canvas.add(*(canvas.loop(loop, "area " + class_, pattern) for loop in section.regions[name]))
 
 
 def metres(length):
-    """A length in metres, to the millimetre at most."""
-    return f"{length:.3f}".rstrip("0").rstrip(".") + "\u00a0m"
+    """A length in metres, to the centimetre from ten on, else to the millimetre."""
+    digits = 2 if abs(length) >= 10 else 3
+    return f"{length:.{digits}f}".rstrip("0").rstrip(".") + "\u00a0m"
 
 
-def dimensions(canvas, p):
-    wall, height = p["caisson_width"] / 2, p["mound_height"]
-    toe = toes(p)
-    left, right = toe.values()
-    top, layers = height + p["caisson_height"], floors(p)
-    canvas.across(-wall, wall, top, metres(p["caisson_width"]), -10)
-    canvas.upright(wall + 14 / canvas.scale, height, top, metres(p["caisson_height"]))
-    canvas.upright(right + 10 / canvas.scale, 0, height, metres(height))
-    far = canvas.x0 + 14 / canvas.scale
-    for high, low in zip(layers[:-1], layers[1:]):
-        canvas.upright(far, low, high, metres(high - low))
-    for side in seas(p):
-        level, at = of_side(p, "water_depth", side), far if side < 0 else canvas.x1 - 60 / canvas.scale
-        canvas.upright(at, 0, level, metres(level))
-        canvas.level(at + 34 / canvas.scale, level)
-    stations = [left, -p["mound_crest_front"], -wall, wall, p["mound_crest_back"], right]
+def still_water(canvas, section, case, summary):
+    """The triangle at the level of every sea; a level of the state at rest alone, whose sea is left out, is a line."""
+    seas = [name for name, keys in keys_of(section, case).items() if keys.get("kind") == "water"]
+    wall = section.box("caisson")
+    for name in seas:
+        x0, x1, _, y = section.box(name)
+        x0, x1 = max(x0, canvas.x0), min(x1, canvas.x1)
+        if x1 > x0:
+            at = x0 + 0.3 * (x1 - x0) if x1 <= wall[0] + 1e-9 else x0 + 0.55 * (x1 - x0)
+            canvas.level(at, y)
+    initial = case.get("initial") or {}
+    level = initial.get("water_level")
+    if seas or not isinstance(level, (int, float)) or not canvas.y0 < level < canvas.y1:
+        return
+    sides = ((canvas.x0, wall[0], level), (wall[1], canvas.x1, initial.get("harbour_level", level)))
+    for a, b, y in sides:
+        (px, py), (qx, _) = canvas.at(a, y), canvas.at(b, y)
+        canvas.line((px, py), (qx, py), "waterline")
+        canvas.level(a + 0.45 * (b - a), y)
+
+
+def dimensions(canvas, section, body):
+    left, right, bottom, top = section.box("caisson")
+    canvas.across(left, right, top, metres(right - left), -10)
+    canvas.upright(right + 14 / canvas.scale, bottom, top, metres(top - bottom))
+    low = canvas.y0
+    if "mound" in body:
+        _, toe, foot, crest = section.box("mound")
+        canvas.upright(toe + 24 / canvas.scale, foot, crest, metres(crest - foot))
+    layers(canvas, section)
+    loops = [loop for name in body for loop in corners(section.regions[name])]
+    stations = merged([x for loop in loops for x, _ in loop if canvas.x0 <= x <= canvas.x1], 4 / canvas.scale)
     for a, b in zip(stations[:-1], stations[1:]):
-        canvas.across(a, b, layers[-1], metres(b - a), 24)
-    sides = ((-1, -p["mound_crest_front"]), (1, p["mound_crest_back"]))
-    for side, edge in sides if canvas.width > NARROW else ():
-        canvas.text(
-            (edge + toe[side]) / 2,
-            height / 2,
-            f"1 : {units.plain(of_side(p, 'mound_slope', side))}",
-            anchor="end" if side < 0 else "start",
-            dx=6 * side,
-            dy=-6,
-        )
+        canvas.across(a, b, low, metres(b - a), 24)
+    if "mound" in body:
+        for loop in corners(section.regions["mound"]):
+            for (x, y), slope, way in slopes(loop):
+                px, py = canvas.at(x, y)
+                places = [(px + way * d, py - d / 2 - 6, "start" if way > 0 else "end") for d in (2, 8, 16, 28)]
+                if canvas.width > NARROW:
+                    canvas.label(f"1 : {units.plain(slope, 3)}", places)
 
 
-def wet_sides(p):
-    return [side for side, name in ((-1, "sea_front"), (1, "sea_back")) if p.get(name, 0) > 0]
+def layers(canvas, section):
+    """Thicknesses of water and ground at both ends of the drawing; on the right only what is another one there."""
+    inset = 0.5 / canvas.scale
+    walls = section.box("caisson")
+    shown = []
+    for at, x in ((canvas.x0 + inset, canvas.x0 + 16 / canvas.scale), (canvas.x1 - inset, canvas.x1 - 22 / canvas.scale)):
+        if walls[0] < at < walls[1]:
+            continue
+        heights = column_at(section, at)
+        for low, high in zip(heights[:-1], heights[1:]):
+            if (low, high) not in shown and (high - low) * canvas.scale > 9:
+                canvas.upright(x, low, high, metres(high - low), side=1 if at < walls[0] else -1)
+                shown.append((low, high))
 
 
-def seas(p):
-    """The sides at which the water depth is drawn: both only if their levels differ."""
-    wet = wet_sides(p)
-    return wet if len({of_side(p, "water_depth", side) for side in wet}) > 1 else wet[:1]
-
-
-def ends(canvas, p):
+def ends(canvas, section):
     """Marks where the drawing is cut off, with the length to which the section continues."""
-    left, right = toes(p).values()
-    base = floors(p)[-1]
-    for side, at, rest, toe, anchor in (
-        (-1, canvas.x0, p["seabed_front"], left, "start"),
-        (1, canvas.x1, p["seabed_back"], right, "end"),
+    whole = section.box()
+    foot = section.box("mound" if "mound" in section.regions else "caisson")
+    for side, at, rest, anchor in (
+        (-1, canvas.x0, foot[0] - whole[0], "start"),
+        (1, canvas.x1, whole[1] - foot[1], "end"),
     ):
-        if rest > abs(at - toe) * 1.001:
-            px, low = canvas.at(at, base)
-            level = of_side(p, "water_depth", side) if side in wet_sides(p) else 0.0
-            _, high = canvas.at(at, level)
-            step = (low - high + 2) / 12
-            inward = 1 if anchor == "start" else -1
-            points = [(px + inward * (6 if i % 2 else 1), high - 1 + i * step) for i in range(13)]
-            hidden = [*points, (px - 8 * inward, low + 1), (px - 8 * inward, high - 1)]
-            canvas.add(tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in hidden), class_="cut"))
-            for a, b in zip(points[:-1], points[1:]):
-                canvas.line(a, b)
-            words = say("{length} beyond the toe", length=metres(rest))
-            words = f"⟵ {words}" if anchor == "start" else f"{words} ⟶"
-            canvas.text(at, base, words, anchor=anchor, dx=12 * inward, dy=-6, class_="note small")
+        hidden = canvas.x0 - whole[0] if side < 0 else whole[1] - canvas.x1
+        if hidden <= 1e-3 * (whole[1] - whole[0]):
+            continue
+        px, low = canvas.at(at, canvas.y0)
+        _, high = canvas.at(at, top_at(section, at + side * -0.5 / canvas.scale))
+        step = (low - high + 2) / 12
+        inward = -side
+        points = [(px + inward * (6 if i % 2 else 1), high - 1 + i * step) for i in range(13)]
+        cover = [*points, (px - 9 * inward, low + 1), (px - 9 * inward, high - 1)]
+        canvas.add(tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in cover), class_="cut"))
+        canvas.add(tag("polyline", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in points), class_="break"))
+        beyond = "{length} beyond the toe" if "mound" in section.regions else "{length} beyond the caisson"
+        words = say(beyond, length=metres(rest)) if canvas.width > NARROW else metres(rest)
+        words = f"⟵ {words}" if anchor == "start" else f"{words} ⟶"
+        canvas.label(words, [(px + 20 * inward, low - 10, anchor), (px + 10 * inward, low + 43, anchor)], "note small")
 
 
 def outer_dimensions(canvas, section):
     x0, x1, y0, y1 = section.box()
     canvas.across(x0, x1, y0, metres(x1 - x0), 24)
     canvas.upright(x1 + 10 / canvas.scale, y0, y1, metres(y1 - y0))
-    if "caisson" in section.regions and len(section.regions) > 1:
-        x0, x1, y0, y1 = section.box("caisson")
-        canvas.across(x0, x1, y1, metres(x1 - x0), -8)
-        canvas.upright(x1 + 8 / canvas.scale, y0, y1, metres(y1 - y0))
 
 
-def names(canvas, section, case, composite):
-    for name in section.regions:
-        if canvas.width < NARROW and case.get("regions", {}).get(name, {}).get("kind") == "water":
-            continue
-        x0, x1, y0, y1 = section.box(name)
-        x0, x1 = max(x0, canvas.x0), min(x1, canvas.x1)
-        low = composite and name in ("seabed", "subsoil")
-        share = 0.3 if low else 0.62 if name == "caisson" else 0.45 if composite else 0.2
-        canvas.text((x0 + x1) / 2, y0 + share * (y1 - y0), named(name), class_="name")
+def names(canvas, section, case):
+    kinds = {name: keys.get("kind", "porous") for name, keys in keys_of(section, case).items()}
+    for name in sorted(section.regions, key=lambda n: -ORDER.get(kinds[n], 1)):
+        if canvas.width > NARROW or kinds[name] != "water":
+            canvas.within(section.regions[name], named(name))
 
 
 def probes(canvas, case):
     """Probes are numbered, as their names would cover the section; the caption has the names."""
     for number, probe in enumerate(case.get("probes", {}).values(), 1):
         px, py = canvas.at(*probe["at"])
+        if not canvas.x0 <= probe["at"][0] <= canvas.x1:
+            continue
         canvas.line((px - 4, py), (px + 4, py), "probe")
         canvas.line((px, py - 4), (px, py + 4), "probe")
-        canvas.text(*probe["at"], str(number), dx=8, dy=-3, class_="note small")
+        canvas.around(px, py, str(number))
 
 
 def acting(case):
@@ -172,19 +206,20 @@ def loads(canvas, section, case, summary):
             canvas.add(tag("circle", cx=f"{px:.1f}", cy=f"{py:.1f}", r=3, class_="loadhead"))
         arm = known.get(name, {}).get("arm")
         if arm is not None:
-            heights.setdefault(round(arm, 6), []).append(name)
-    for arm, together in heights.items():
+            heights.setdefault(round(arm, 6), []).append(named(name))
+    for number, (arm, together) in enumerate(sorted(heights.items())):
         px, py = canvas.at(x0, bottom + arm)
-        canvas.arrow((px - 64, py), (px, py))
-        canvas.text(x0, bottom + arm, ", ".join(together), anchor="end", dx=-14, dy=-7, class_="note loadname")
-        canvas.upright(x0 - 22 / canvas.scale, bottom, bottom + arm, metres(arm), side=-1)
+        canvas.arrow((px - 64 - ARM * number, py), (px, py))
+        words, far = ", ".join(together), px - 70 - ARM * number
+        canvas.label(words, [(px - 14, py - 10, "end"), (far, py, "end"), (px - 14, py + 11, "end"), (far, py - 12, "end")], "note loadname")
+        canvas.upright(x0 - (22 + ARM * number) / canvas.scale, bottom, bottom + arm, metres(round(arm, 2)), side=-1)
 
 
 def downward(canvas, section, case):
     """A load on the top of a section without a caisson."""
     x0, x1, _, top = section.box()
-    on_top = [name for name, load in acting(case).items() if load.get("boundary") == "top"]
+    on_top = [named(name) for name, load in acting(case).items() if load.get("boundary") == "top"]
     if on_top:
         px, py = canvas.at((x0 + x1) / 2, top)
         canvas.arrow((px, py - 26), (px, py))
-        canvas.text((x0 + x1) / 2, top, ", ".join(on_top), anchor="start", dx=8, dy=-12, class_="note loadname")
+        canvas.around(px, py - 16, ", ".join(on_top), "note loadname", 12)

@@ -1,9 +1,13 @@
 """The outlines of a section: from the parameters of a shipped geometry, else from the mesh that the case names."""
 
+import math
+import os
 import re
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
+
+import numpy as np
 
 from .. import geo, msh, places
 from ..errors import UserError
@@ -40,8 +44,9 @@ def declared(geometry):
     return {name: (float(value), unit.strip(), what.strip()) for name, value, unit, what in PARAMETER.findall(head)}
 
 
-def section(case, base):
-    """The Section of a case (a dict), whose paths are relative to the folder `base`.
+def section(case, base, results=None):
+    """The Section of a case (a dict), whose paths are relative to the folder `base`; that of an own mesh is read from its
+    `results` (the open results.h5), where they have it.
 
     Raises UserError, which names what is missing, if there is no outline.
     """
@@ -56,9 +61,25 @@ def section(case, base):
             raise UserError(
                 f"the parameter {error} of '{name}' is not known: '{folder()}' has no {name}.geo"
             ) from error
+    if results is not None and "section" in results:
+        return of_results(results["section"])
     if "file" not in mesh:
         raise UserError("the case names no geometry")
     return of_mesh(Path(base) / mesh["file"], given)
+
+
+def of_results(group):
+    """The Section of the sides of cells in a results.h5, x and y of their ends in a row."""
+    regions, digits = {}, None
+
+    def add(name, table):
+        nonlocal digits
+        sides = table[()]
+        digits = 6 - int(math.floor(math.log10(np.ptp(sides) or 1.0))) if digits is None else digits
+        regions[name] = chained({tuple(tuple(map(float, end)) for end in np.round(row.reshape(2, 2), digits)) for row in sides})
+
+    group.visititems(lambda name, item: add(name, item) if hasattr(item, "shape") else None)
+    return Section(regions)
 
 
 def of_mesh(path, parameters):
@@ -69,8 +90,13 @@ def of_mesh(path, parameters):
 def outline(cells, points):
     """The loops around cells, in either direction of numbering: edges that belong to one cell only, in order."""
     edges = Counter(frozenset((cell[i], cell[(i + 1) % len(cell)])) for cell in cells for i in range(len(cell)))
+    return [[points[n] for n in loop] for loop in chained(edge for edge, count in edges.items() if count == 1)]
+
+
+def chained(edges):
+    """The loops of edges, pairs of ends in any order."""
     beside = defaultdict(set)
-    for a, b in (edge for edge, count in edges.items() if count == 1):
+    for a, b in edges:
         beside[a].add(b)
         beside[b].add(a)
     loops = []
@@ -82,7 +108,7 @@ def outline(cells, points):
             beside[after].remove(node)
             node = after
         if loop:
-            loops.append([points[n] for n in loop])
+            loops.append(loop)
     return loops
 
 

@@ -1,10 +1,11 @@
 """What the checks and the warnings of a summary say, for the first page of every document."""
 
-from .language import listed, named, phrase, say, sentences
+from .language import listed, named, phrase, say, sentences, spoken
 from .language import told as words_of
 from .markup import Markup, join, prose, tag
-from .units import quantity
+from .units import plain, quantity
 from .. import told
+from ..prefixes import pretty, scale
 
 
 def verdict(summary):
@@ -16,8 +17,29 @@ def verdict(summary):
 
 def failing(checks):
     """A list of the checks that fail, worst first; empty if none does."""
-    items = [tag("li", told.check_text(check)) for check in checks if told.fails(check)]
+    items = [tag("li", in_words(check), said(told.check_text(check))) for check in checks if told.fails(check)]
     return tag("ul", *items, class_="fails") if items else ""
+
+
+def in_words(check):
+    """The check in the language of the document, where that is not the program's own."""
+    if spoken() == "en" or check.get("capacity") is None:
+        return ""
+    demand, capacity = (shown(check.get(key), check.get("unit") or "") for key in ("demand", "capacity"))
+    return phrase("{name}: {demand}, limit {capacity}: does not hold.", name=prose(words_of(check["name"])), demand=demand, capacity=capacity)
+
+
+def shown(value, unit):
+    """A number for prose: its exact value stands in the table of the checks."""
+    if value is None:
+        return say("without bound")
+    factor, name = scale(unit, value, 10.0)
+    return f"{plain(value * factor)} {pretty(name)}".strip()
+
+
+def said(text):
+    """The program's own words, marked as English where the document is not."""
+    return text if spoken() == "en" else tag("span", text, lang="en", class_="remark english")
 
 
 def void(summary):

@@ -2,7 +2,8 @@
 
 import html
 import json
-import re
+
+from . import typeset
 
 
 class Markup(str):
@@ -30,10 +31,22 @@ def tag(name, /, *parts, **attributes):
 
 
 def table(head, rows, class_=None):
-    """A table in a box that scrolls on a narrow page; the first cell of a row is its name."""
+    """A table in a box that scrolls on a narrow page; the first cell of a row is its name. Quantities of one unit have one prefix."""
+    rows = alike(rows)
     titles = tag("thead", tag("tr", *(tag("th", cell, scope="col") for cell in head))) if head else ""
     body = (tag("tr", tag("th", row[0], scope="row"), *(tag("td", cell) for cell in row[1:])) for row in rows)
     return tag("div", tag("table", titles, tag("tbody", *body), class_=class_), class_="table")
+
+
+def alike(rows):
+    """Rows whose cells with one unit are drawn in one."""
+    rows, of_unit = [list(row) for row in rows], {}
+    for row in rows:
+        for cell in row:
+            if hasattr(cell, "beside") and cell.unit:
+                of_unit.setdefault(cell.unit, []).append(cell)
+    mixed = {unit: cells for unit, cells in of_unit.items() if len({cell.drawn[1] for cell in cells}) > 1}
+    return [[cell.beside(mixed[cell.unit]) if getattr(cell, "unit", None) in mixed else cell for cell in row] for row in rows]
 
 
 def fold(summary, *parts, open_=False):
@@ -51,21 +64,16 @@ def data(value, class_):
 def runs(symbol):
     """[(text, style)] of a symbol: F_T is F in italics with the subscript T; longer words are upright."""
     words = [word.partition("_") for word in symbol.split(" ")]
-    are_symbols, found = all(len(name) <= 2 and name < "\u3000" for name, _, _ in words), []
+    are_symbols, found = all(len(name.strip("()−")) <= 2 and name < "\u3000" for name, _, _ in words), []
     for number, (name, _, below) in enumerate(words):
         found.append(((" " if number else "") + name, "i" if below or are_symbols else ""))
         found += [(below, "sub")] if below else []
     return found
 
 
-# Not within a longer Latin word; Japanese text may follow a symbol without a space.
-SYMBOL = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zτ])_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
-
-
 def prose(words):
     """Plain text of the program with its symbols set: F_T, c_v, h^2."""
-    escaped = html.escape(words).replace("^2", "²").replace("tau_0", "τ_0")
-    return Markup(SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", escaped))
+    return Markup(typeset.words(html.escape(words)))
 
 
 def symbol(name):

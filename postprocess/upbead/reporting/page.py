@@ -62,10 +62,10 @@ def body(result, source, words):
             base.section(result),
             sliding.section(result),
             construction.section(result.summary),
-            yielding.section(result, near(outline)),
+            yielding.section(result, near(outline, result.case)),
             circle.section(result, outline),
             whatif.section(result),
-            animation.section(result, near(outline)),
+            animation.section(result, near(outline, result.case)),
             measured.section(result),
             sheet.section(result.summary),
             quality.section(result.summary),
@@ -98,7 +98,7 @@ def section_drawing(result):
     """(Section or None, HTML)."""
     title, case = tag("h2", say("Section")), result.case
     try:
-        outline = geometry.section(case, result.folder)
+        outline = geometry.section(case, result.folder, result.file)
     except UserError as error:
         told = tag("p", say("Not drawn: {why}.", why=error), class_="quiet")
         return None, tag("section", title, told, sheet.levels(case, None), id="section")
@@ -110,12 +110,11 @@ def section_drawing(result):
     return outline, tag("section", title, drawn, sheet.levels(case, outline), id="section")
 
 
-def near(outline):
+def near(outline, case):
     """The window of the animation: the mound and the part of the seabed that is in the drawing."""
     if outline is None:
         return float("-inf"), float("inf")
-    p = outline.parameters
-    return drawing.near(outline, p)[:2] if "mound_slope" in p else outline.box()[:2]
+    return drawing.near(outline, case)[:2] if drawing.body_of(outline) else outline.box()[:2]
 
 
 def input_section(rows):

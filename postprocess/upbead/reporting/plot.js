@@ -34,6 +34,21 @@
     return found;
   }
 
+  // The same round values of an axis over decades as report/ticks.py.
+  function decades(low, high, count) {
+    let found = [];
+    for (const mantissas of [[1, 2, 5], [1, 3], [1]]) {
+      found = [];
+      for (let power = Math.floor(low); power <= Math.ceil(high); ++power)
+        for (const factor of mantissas) found.push(factor * 10 ** power);
+      found = found.filter((value) => value >= 10 ** low * (1 - 1e-9) && value <= 10 ** high * (1 + 1e-9));
+      if (found.length <= count + 1) break;
+    }
+    if (found.length < 3) return ticks(10 ** low, 10 ** high, count).filter(([value]) => value > 0).map(([value, text]) => [Math.log10(value), text]);
+    return found.map((value) => [Math.log10(value), value.toLocaleString("en", {maximumSignificantDigits: 6, maximumFractionDigits: 12})]);
+  }
+  const isNamed = (line) => line.symbol.some(([text]) => text.trim());
+
   // The index of the last point at or before x; the points ascend.
   function before(points, x) {
     let low = 0, high = points.length - 1;
@@ -128,20 +143,20 @@
     limits() {
       const [low, high] = this.view, panels = this.data.panels;
       const own = panels.map((panel) => {
-        const range = [0, 0];
+        const range = panel.from_zero ? [0, 0] : [Infinity, -Infinity];
         const take = (y) => { range[0] = Math.min(range[0], y); range[1] = Math.max(range[1], y); };
         for (const line of panel.lines) {
           for (let i = 0; i < line.x.length; ++i) if (line.x[i] >= low && line.x[i] <= high) take(line.y[i]);
           for (const edge of [low, high]) { const y = valueAt(line, edge); if (y !== null && !line.dots) take(y); }
         }
         for (const mark of panel.marks) if (mark.x >= low && mark.x <= high) take(mark.y);
-        return range;
+        return range[0] > range[1] ? [0, 0] : range;
       });
       return panels.map((panel, i) => {
         const same = own.filter((_, j) => j === i || (panel.group && panels[j].group === panel.group));
         const least = Math.min(...same.map((r) => r[0])), most = Math.max(...same.map((r) => r[1]));
         const room = 0.08 * (most - least || 1);
-        return [least - (least < 0 ? room : 0), most + room];
+        return [least - (least < 0 || !panel.from_zero ? room : 0), most + room];
       });
     }
 
@@ -224,6 +239,7 @@
         return span;
       };
       const readings = panel.lines.map((line) => {
+        if (!isNamed(line)) return add("", {class: "reading"});
         const key = add(line.dash ? "╍ " : "━ ", {class: `key c${line.colour}`});
         let lowered = false;
         for (const [text, style] of line.symbol) {
@@ -247,7 +263,7 @@
     }
 
     xTicks() {
-      return ticks(...this.view, Math.max(2, Math.min(8, Math.floor(this.width / 80))));
+      return (this.data.log ? decades : ticks)(...this.view, Math.max(2, Math.min(8, Math.floor(this.width / 80))));
     }
 
     drawAxis(bottom) {
@@ -291,10 +307,10 @@
       this.cursor.setAttribute("x1", px);
       this.cursor.setAttribute("x2", px);
       this.cursor.setAttribute("visibility", inside && x !== this.now ? "visible" : "hidden");
-      this.label.textContent = `${name} ${minus(x.toPrecision(4))} ${unit}`;
+      this.label.textContent = `${name} ${minus((this.data.log ? 10 ** x : x).toPrecision(4))} ${unit}`;
       for (const {panel, yOf, legend, dots} of this.drawn) {
         panel.lines.forEach((line, i) => {
-          const value = valueAt(line, x);
+          const value = line.dots && !isNamed(line) ? null : valueAt(line, x);  // of scattered points there is none
           legend[i].textContent = value === null ? "" : " " + minus(String(+value.toPrecision(4)));
           dots[i].setAttribute("visibility", value !== null && inside ? "visible" : "hidden");
           if (value === null) return;

@@ -15,7 +15,7 @@ SIGNS = {"-": "", "--": "7 4", ":": "2 3"}
 
 @dataclass
 class Line:
-    """`colour` is a number of the style sheet's colours, `dash` one of SIGNS."""
+    """`symbol`: empty where a panel has one line and its title names it. `colour` is a number of the style sheet's colours, `dash` one of SIGNS."""
 
     symbol: str
     x: np.ndarray
@@ -35,6 +35,7 @@ class Panel:
     group: str = ""
     height: int = 130
     title: str = ""
+    from_zero: bool = True  # of scattered values zero says nothing, and hides the scatter
 
 
 @dataclass
@@ -45,6 +46,7 @@ class Plot:
     panels: list
     axis: tuple = ("time", "s")
     window: tuple | None = None
+    log: bool = False  # of an axis of positive values over decades
 
     def extent(self):
         ends = [(np.min(line.x), np.max(line.x)) for panel in self.panels for line in panel.lines if len(line.x)]
@@ -65,39 +67,44 @@ class Plot:
         """The plot for JSON: thinned, rounded, in the units in which it is drawn."""
         name = told(self.axis[0])
         factor = units.scale(self.axis[1], self.extent()[1] - self.extent()[0])
-        extent = [end * factor[0] for end in self.extent()]
-        window = [end * factor[0] for end in self.window] if self.window else extent
+        extent = [self.along(end * factor[0]) for end in self.extent()]
+        window = [self.along(end * factor[0]) for end in self.window] if self.window else extent
         return {
             "axis": f"{name} ({units.pretty(factor[1])})" if units.pretty(factor[1]) else name,
             "symbol": [name, units.pretty(factor[1])],
             "extent": extent,
             "window": window,
+            "log": self.log,
             "panels": [self._panel(panel, factor[0]) for panel in self.panels],
         }
+
+    def along(self, x):
+        """Where a value of the axis is drawn: of an axis over decades at its logarithm."""
+        return np.log10(x) if self.log else x
 
     def _panel(self, panel, x_factor):
         factor, unit = self.factor(panel)
         marks = []
         for x, value in panel.marks:
             what = f"{units.plain(value * factor)} {units.pretty(unit)}"
-            marks.append({"x": x * x_factor, "y": value * factor, "text": what})
+            marks.append({"x": self.along(x * x_factor), "y": value * factor, "text": what})
         return {
             "unit": units.pretty(unit),
             "group": panel.group,
             "height": panel.height,
             "title": panel.title,
+            "from_zero": panel.from_zero,
             "marks": marks,
-            "lines": [_line(line, x_factor, factor) for line in panel.lines],
+            "lines": [self._line(line, x_factor, factor) for line in panel.lines],
         }
 
-
-def _line(line, x_factor, factor):
-    x, values = thinned(line.x, line.values)
-    return {
-        "symbol": runs(line.symbol),
-        "colour": line.colour,
-        "dash": SIGNS[line.dash],
-        "dots": line.dots,
-        "x": rounded(x * x_factor, 7),
-        "y": rounded(values * factor),
-    }
+    def _line(self, line, x_factor, factor):
+        x, values = thinned(line.x, line.values)
+        return {
+            "symbol": runs(line.symbol),
+            "colour": line.colour,
+            "dash": SIGNS[line.dash],
+            "dots": line.dots,
+            "x": rounded(self.along(x * x_factor), 7),
+            "y": rounded(values * factor),
+        }

@@ -1,6 +1,7 @@
 """Reliability of the numbers: warnings, estimated errors, balances, and the parts that were left out, with
 reasons."""
 
+from .judged import said
 from .language import heads, named, phrase, say, spoken, told
 from .markup import Markup, join, prose, table, tag
 from .units import percent, quantity
@@ -24,7 +25,7 @@ def warnings(found):
     """`found`: [(name, text)]. The texts stand as the program has them, the cure first."""
     if not found:
         return tag("p", say("The program found nothing to warn of."))
-    items = (tag("li", tag("strong", named(name)), " ", tag("code", name), ": ", text) for name, text in found)
+    items = (tag("li", tag("strong", named(name)), " ", tag("code", name), ": ", said(text)) for name, text in found)
     return join([tag("h3", say("Warnings")), in_english(), tag("ul", *items, class_="warnings")])
 
 

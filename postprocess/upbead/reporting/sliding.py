@@ -2,12 +2,15 @@
 
 import numpy as np
 
-from . import figure, sliding_tables
+from . import figure, sensitivity, sliding_tables
 from .language import heads, phrase, say, told
 from .markup import Markup, join, prose, table, tag
 from .measures import at, measures
 from .plot import Line, Panel, Plot
+from .series import largest
 from .units import percent, quantity
+
+FLAT = 0.01  # of W': less uplift is not seen
 
 
 def section(result):
@@ -71,11 +74,29 @@ def forces(result, sliding):
         Line("μ W′", ends, np.full(2, resistance), 3, "--"),
         Line("−μ W′", ends, np.full(2, -resistance), 3, "--"),
     ]
+    left = friction_left(result, sliding)
+    if left is not None:
+        limits = [Line("±μ (W′ − U)", time, left, 3), Line("", time, -left, 3), Line("μ W′", ends, np.full(2, resistance), 3, ":")]
     return Plot("friction", [Panel("N/m", lines + limits, height=170)])
+
+
+def friction_left(result, sliding):
+    """mu (W' - U) over time, where U is known and not nothing; else None."""
+    uplift = sensitivity.uplift_of(result, sliding)
+    mu, weight = sliding.get("friction"), sliding.get("submerged_weight")
+    if uplift is None or mu is None or weight is None or largest(uplift) < FLAT * weight:
+        return None
+    return mu * np.maximum(weight - uplift, 0.0)
 
 
 def force_caption(result):
     solved = result.summary.get("contact") and at(result.summary, "contact.solved")
+    if friction_left(result, result.summary["sliding"]) is not None:
+        caption = (
+            "Shear force at the bottom $F_T$ against the friction that holds it on either side, $μ (W′ − U)$: the uplift $U$ takes a part of "
+            "$μ W′$ (dotted). {coupled}"
+        )
+        return phrase(caption, coupled=say("“Coupled” is the caisson that slips as a whole.") if slipped(result) else "")
     caption = (
         "Shear force at the bottom $F_T$ of this run against the friction that holds it, $μ W′$ on either side. {coupled}"
         if solved

@@ -1,7 +1,7 @@
 """Draws a plot as an SVG that needs no script: for paper, and for readers without JavaScript."""
 
 from .markup import Markup, join, tag
-from .ticks import ticks
+from .ticks import decades, ticks
 
 WIDTH, LEFT, RIGHT, HEAD, TITLE, GAP, FOOT = 720, 62, 12, 20, 17, 10, 38
 
@@ -9,7 +9,7 @@ WIDTH, LEFT, RIGHT, HEAD, TITLE, GAP, FOOT = 720, 62, 12, 20, 17, 10, 38
 def draw(data, label):
     """The SVG of the data of Plot.data()."""
     low, high = data["window"]
-    place = Place(low, high)
+    place = Place(low, high, decades if data.get("log") else ticks)
     parts, top = [], 0
     for panel, limits in zip(data["panels"], all_limits(data)):
         top += HEAD + (TITLE if panel["title"] else 0)
@@ -23,8 +23,12 @@ def draw(data, label):
 class Place:
     """Conversion from the plot's axis to the drawing's."""
 
-    def __init__(self, low, high):
-        self.low, self.high = low, high
+    def __init__(self, low, high, ticks_of=ticks):
+        self.low, self.high, self.ticks_of = low, high, ticks_of
+
+    def ticks(self):
+        """Round values along the axis."""
+        return self.ticks_of(self.low, self.high, 8)
 
     def x(self, value):
         return LEFT + (value - self.low) / (self.high - self.low) * (WIDTH - LEFT - RIGHT)
@@ -37,14 +41,20 @@ def all_limits(data):
     for panel in data["panels"]:
         seen = [y for line in panel["lines"] for x, y in zip(line["x"], line["y"]) if low <= x <= high]
         seen += [mark["y"] for mark in panel["marks"]]
-        own.append((min([0.0, *seen]), max([0.0, *seen])))
+        own.append(range_of(seen, panel["from_zero"]))
     limits = []
     for panel, range_ in zip(data["panels"], own):
         same = [o for p, o in zip(data["panels"], own) if panel["group"] and p["group"] == panel["group"]] or [range_]
         least, most = min(o[0] for o in same), max(o[1] for o in same)
         room = 0.08 * ((most - least) or 1.0)
-        limits.append((least - (room if least < 0 else 0), most + room))
+        limits.append((least - (room if least < 0 or not panel["from_zero"] else 0), most + room))
     return limits
+
+
+def range_of(values, from_zero):
+    """Least and largest value, with zero where the panel begins there."""
+    ends = [0.0, *values] if from_zero or not values else values
+    return min(ends), max(ends)
 
 
 def panel_parts(panel, limits, place, top):
@@ -58,7 +68,7 @@ def panel_parts(panel, limits, place, top):
         y = f"{y_of(value):.1f}"
         parts.append(tag("line", x1=LEFT, x2=WIDTH - RIGHT, y1=y, y2=y, class_="zero" if value == 0 else "grid"))
         parts.append(tag("text", text, x=LEFT - 6, y=y, dy=".32em", class_="tick", text_anchor="end"))
-    for value, _ in ticks(place.low, place.high, 8):
+    for value, _ in place.ticks():
         parts.append(
             tag("line", x1=f"{place.x(value):.1f}", x2=f"{place.x(value):.1f}", y1=top, y2=top + height, class_="grid")
         )
@@ -97,6 +107,8 @@ def legend(panel, y):
     """Symbol and colour of each line, then the unit, above the panel."""
     parts = []
     for line in panel["lines"]:
+        if not named(line):
+            continue
         words, lowered = [], False
         for text, style in [*line["symbol"], ("\u2003", "")]:
             shift = 3 if style == "sub" else -3 if lowered else None
@@ -108,9 +120,13 @@ def legend(panel, y):
     return join([title, tag("text", *parts, x=LEFT, y=y, class_="legend")])
 
 
+def named(line):
+    return bool("".join(text for text, _ in line["symbol"]).strip())
+
+
 def axis_parts(data, place, bottom):
     parts = []
-    for value, text in ticks(place.low, place.high, 8):
+    for value, text in place.ticks():
         parts.append(tag("text", text, x=f"{place.x(value):.1f}", y=bottom + 16, class_="tick", text_anchor="middle"))
     middle = (LEFT + WIDTH - RIGHT) / 2
     parts.append(tag("text", data["axis"], x=middle, y=bottom + 33, class_="tick", text_anchor="middle"))

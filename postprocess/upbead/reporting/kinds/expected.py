@@ -172,7 +172,7 @@ def by_height(result):
     shown = result.height >= 0.85 * min(thresholds, default=0.0)
     for title, unit, found in sets:
         lines = [
-            Line(say(law) if law else " ", result.height[shown], np.asarray(values, dtype=float)[shown], COLOURS.get(law, 3))
+            Line(say(law) if law else "", result.height[shown], np.asarray(values, dtype=float)[shown], COLOURS.get(law, 3))
             for law, values in found.items()
             if np.any(values[shown])
         ]

@@ -10,7 +10,7 @@ from ..markup import Markup, fold, join, prose, table, tag
 from ..plot import Line, Panel, Plot
 from ..units import plain, quantity
 from ... import outputs
-from ...study_axes import default_axes, is_drawn, rank_correlation
+from ...study_axes import default_axes, in_words, is_drawn, rank_correlation, spreads
 
 COMMAND = "study"
 KIND = "Report of a study by upbead"
@@ -54,9 +54,22 @@ def extent_card(study, name):
     return card(title_of(name), between, tag("code", name))
 
 
-def title_of(name):
+def plain_title(name):
     words = told(outputs.label(name)) or name
-    return prose(words[:1].upper() + words[1:])
+    return words[:1].upper() + words[1:]
+
+
+def title_of(name):
+    return prose(plain_title(name))
+
+
+def head_of(study, name):
+    """A key by its place, a number by what it is."""
+    return prose(told(in_words(name))) if name not in study.reads or not outputs.label(name) else title_of(name)
+
+
+def value_in_words(value):
+    return say({"true": "yes", "false": "no"}.get(value, value))
 
 
 def value_of(name, value, digits=4):
@@ -80,13 +93,14 @@ def drawn(study, name, key):
     good = np.isfinite(x) & np.isfinite(y)
     if good.sum() < 2:
         return ""
-    lines = [Line(" ", x[good], y[good], 0, dots=True)] if random else courses(study, key, x, y, good)
+    lines = [Line("", x[good], y[good], 0, dots=True)] if random else courses(study, key, x, y, good)
     caption = phrase("{what} against {key}.", what=title_of(name), key=tag("code", key))
     if random:
         correlation = plain(float(round(rank_correlation(x[good], y[good]), 2)))
         caption = join([caption, " ", say("Rank correlation {value}.", value=correlation)])
-    axis = (key.rpartition(".")[2].replace("_", " "), study.units.get(key, ""))
-    plot = Plot("study-" + key.replace(".", "-"), [Panel(outputs.unit(name), lines, height=240)], axis=axis)
+    axis = (in_words(key), study.units.get(key, ""))
+    panel = Panel(outputs.unit(name), lines, height=240, title=plain_title(name), from_zero=False)
+    plot = Plot("study-" + key.replace(".", "-"), [panel], axis=axis, log=spreads(x[good]))
     return figure.of_plot(plot, caption)
 
 
@@ -96,15 +110,15 @@ def courses(study, key, x, y, good):
     combinations = list(zip(*(study.words(other) for other in others))) or [()] * len(x)
     different = list(dict.fromkeys(combinations))
     if len(different) > MOST_LINES:
-        return [Line(" ", x[good], y[good], 0, dots=True)]
+        return [Line("", x[good], y[good], 0, dots=True)]
     lines = []
     for colour, one in enumerate(different):
         chosen = good & np.array([found == one for found in combinations])
         order = np.argsort(x[chosen], kind="stable")
-        name = ", ".join(f"{other.rpartition('.')[2].replace('_', ' ')} {value}" for other, value in zip(others, one))
+        name = ", ".join(f"{in_words(other)} {value_in_words(value)}" for other, value in zip(others, one))
         if chosen.sum() > 1:
-            lines.append(Line(name or " ", x[chosen][order], y[chosen][order], colour))
-    return lines or [Line(" ", x[good], y[good], 0, dots=True)]
+            lines.append(Line(name, x[chosen][order], y[chosen][order], colour))
+    return lines or [Line("", x[good], y[good], 0, dots=True)]
 
 
 def spread(study):
@@ -122,7 +136,7 @@ def runs(study):
     """A table of all runs that can be folded."""
     names = [*study.keys, *study.reads, *(name for name in FLAGS if name in study.columns)]
     rows = [(row["run"], *(cell(study, name, row[name]) for name in names)) for row in study.rows[:MOST_ROWS]]
-    head = [say("run"), *(tag("code", name) for name in names)]
+    head = [say("run"), *(tag("span", head_of(study, name), title=name) for name in names)]
     count = say("{count} runs one by one", count=len(rows))
     left = len(study.rows) - len(rows)
     rest = tag("p", say("{count} more stand in {file}.", count=left, file="study.csv"), class_="quiet") if left else Markup("")
@@ -132,6 +146,8 @@ def runs(study):
 def cell(study, name, value):
     if value == "":
         return say("none")
+    if value in ("true", "false"):
+        return value_in_words(value)
     try:
         return quantity(float(value), study.units.get(name) or outputs.unit(name))
     except ValueError:

@@ -128,7 +128,7 @@ def drawing(section, wave, width, class_):
     canvas = Canvas((min(toe, -0.9 * (base + crest)) - 1, B + back + SLOPE * (h - base) + 1, min(-h, -base - reach * wave["pu"]), crest), width, (8, 8, 30, 12))
     canvas.add(canvas.loop([(canvas.x0, -h), (canvas.x0, 0), (0, 0), (0, -h)], "area water"))
     mound = [(toe, -h), (-front, -berm), (0, -berm), (0, -base), (B, -base), (B + back, -base), (B + back + SLOPE * (h - base), -h)]
-    canvas.add(canvas.loop(mound, "area rubble"), canvas.loop([(0, -base), (0, crest), (B, crest), (B, -base)], "area rigid"))
+    canvas.add(canvas.loop(mound, "area rubble0"), canvas.loop([(0, -base), (0, crest), (B, crest), (B, -base)], "area rigid"))
     top = min(wave["eta_star"], crest)
     canvas.add(outline(canvas, wall(wave, top, base, reach), "pressure"))
     canvas.add(outline(canvas, wall(wave["without_alpha_I"], top, base, reach), "pressure other"))

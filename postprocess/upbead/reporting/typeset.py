@@ -1,0 +1,56 @@
+"""Formulas as print has them: what the program writes in ASCII (alpha_1, mu W', x_G'', sqrt, <=, 1.4e-08, H_1/3) becomes Unicode
+and subscripts, in every text of a page but in code and in what its author wrote as code."""
+
+import re
+
+LETTERS = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ",
+    "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Phi": "Φ", "Sigma": "Σ",
+}  # fmt: skip
+GREEK = re.compile(rf"(?<![A-Za-z0-9_./])({'|'.join(LETTERS)})(?![A-Za-z])(?!\.\w|_[A-Za-z]*_|_[a-z]{{4}})")
+POWER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)(?![\w.])")
+DERIVED = re.compile(r"(?<![A-Za-z0-9_])([xuyz])(_[A-Za-z])?(''|')(?![A-Za-z'])")
+PRIME = re.compile(r"(?<![A-Za-z0-9_'])([A-Zcφhe])'(?![A-Za-z'])")
+LOW = r"1/3|1/10|Smax|CAL|heel|toe|front|back|water(?:,front)?|[A-Za-z0-9]{1,3}"
+SYMBOL = re.compile(rf"(?<![A-Za-z0-9_./])([A-Za-zαβγδεηθκλμνξπρστφψω][\u0307\u0308′]?)_({LOW})(?![A-Za-z0-9_]|\.\w)")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SIGNS = (("&lt;=", "≤"), ("&gt;=", "≥"), ("sqrt(", "√("), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"))
+DOTS = {"'": "\u0307", "''": "\u0308"}
+PIECE = re.compile(r"(<[^>]*>)")
+TAG = re.compile(r"</?([a-zA-Z0-9]+)")
+LEFT_ALONE = {"code", "pre", "script", "style", "title", "textarea"}
+
+
+def letters(text):
+    """Greek letters, powers and signs of an HTML text; no subscripts, which an SVG has no simple way for."""
+    text = text.replace("&#x27;", "'")
+    for ascii_, sign in SIGNS:
+        text = text.replace(ascii_, sign)
+    text = GREEK.sub(lambda found: LETTERS[found[1]], text)
+    text = POWER.sub(lambda found: f"{found[1]} × 10{('-' * (found[2] == '-') + found[3]).translate(RAISED)}", text)
+    text = DERIVED.sub(lambda found: found[1] + DOTS[found[3]] + (found[2] or ""), text)
+    return PRIME.sub(r"\1′", text)
+
+
+def words(text):
+    """An HTML text with its symbols set."""
+    return SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", letters(text))
+
+
+def page(html):
+    """All texts of a document."""
+    kept, drawn, found = [], 0, []
+    for piece in PIECE.split(html):
+        if piece.startswith("<"):
+            name = TAG.match(piece)
+            name, closes = (name[1].lower() if name else ""), piece.startswith("</")
+            if name in LEFT_ALONE and not piece.endswith("/>"):
+                kept = kept[:-1] if closes else [*kept, name]
+            elif name == "svg":
+                drawn += -1 if closes else 1
+            found.append(piece)
+        elif kept:
+            found.append(piece)
+        else:
+            found.append(letters(piece) if drawn else words(piece))
+    return "".join(found)
