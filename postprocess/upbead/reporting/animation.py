@@ -114,6 +114,7 @@ def summary(frames, result):
         "points": coded((frames.points - origin).T),
         "cells": base64.b64encode(frames.cells.astype("<u4").tobytes()).decode(),
         "kinds": frames.kinds.tolist(),
+        "seams": frames.seams.tolist(),
         "displacement": coded(frames.displacement),
         "pressure": shades(frames.pressure / scale["limit"]),
         "strength": strength.summary(frames),

@@ -90,7 +90,9 @@ class Canvas:
         self.label(words, [(px + 6 * way, y, anchor) for way, anchor in ways for y in heights])
 
     def slash(self, px, py):
+        """The end of a dimension; a number may touch it, as short dimensions have no room between their ends."""
         self.line((px - SIGN, py + SIGN), (px + SIGN, py - SIGN))
+        self.lines.pop()
 
     def arrow(self, start, end, class_="load"):
         """From start to end, in px."""
@@ -124,12 +126,9 @@ class Canvas:
         size = size_of(class_)
         inner = [place for place in spots(min(x), max(x), min(y), max(y), middle)
                  if labels.inside(labels.box_of(words, place, size + 3), loop)]  # fmt: skip
-        if inner:
-            self.label(words, inner, class_)
-        else:
-            target = next((spot[:2] for spot in spots(min(x), max(x), min(y), max(y), middle, 4.0) if labels.within(spot[:2], loop)), middle)
-            outer = spots(self.left, self.left + self.inner[0], self.top, self.top + self.inner[1], target)
-            self.label(words, outer, class_, leader=target, near=2.0)
+        target = next((spot[:2] for spot in spots(min(x), max(x), min(y), max(y), middle, 4.0) if labels.within(spot[:2], loop)), middle)
+        outer = spots(self.left, self.left + self.inner[0], self.top, self.top + self.inner[1], target)
+        self.label(words, inner + outer, class_, leader=target, away=len(inner))
 
     def svg(self, label, class_):
         edge = (1, 1, self.width - 1, self.height - 1)
@@ -147,13 +146,12 @@ def set_(label):
     """A label as text, with its line where it is far from what it names."""
     x, y, anchor = label.at
     parts = [tag("text", label.words, x=f"{x:.1f}", y=f"{y + MIDDLE * label.size:.1f}", text_anchor=anchor, class_=label.class_)]
-    if label.leader:
+    if label.leader and label.rank >= label.away:
         (left, top, right, bottom), (px, py) = label.box, label.leader
         ax, ay = min(max(px, left), right), min(max(py, top - 1), bottom + 1)
-        if abs(ax - px) + abs(ay - py) > label.near:
-            ends = {"x1": f"{ax:.1f}", "y1": f"{ay:.1f}", "x2": f"{px:.1f}", "y2": f"{py:.1f}"}
-            parts.insert(0, tag("circle", cx=f"{px:.1f}", cy=f"{py:.1f}", r=1.8, class_="leaderdot"))
-            parts.insert(0, tag("line", **ends, class_="leader"))
+        ends = {"x1": f"{ax:.1f}", "y1": f"{ay:.1f}", "x2": f"{px:.1f}", "y2": f"{py:.1f}"}
+        parts.insert(0, tag("circle", cx=f"{px:.1f}", cy=f"{py:.1f}", r=1.8, class_="leaderdot"))
+        parts.insert(0, tag("line", **ends, class_="leader"))
     return join(parts)
 
 

@@ -142,6 +142,7 @@ function deformed(data, canvas) {
     drawCells(byKind[WATER], frame, "pressure");
     drawCells(byKind[GROUND], frame, what);
     filled.show(context);
+    stroke(moved(data.seams), {width: 0.8, dash: [5, 3]});
     stroke([...moved(ofWater), ...moved(ofGround)]);
     drawRigid(byKind[RIGID]);
     stroke(moved(ofRigid));

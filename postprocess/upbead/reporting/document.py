@@ -26,8 +26,14 @@ OF_SCRIPTS = (
 )
 
 
+def in_css(text):
+    """A text as a string of a style sheet; no sign in it can end the string or the sheet."""
+    return '"' + "".join(letter if letter.isalnum() or letter in " .,-" else f"\\{ord(letter):06x}" for letter in text) + '"'
+
+
 def document(title, body):
-    style = tag("style", Markup((HERE / "page.css").read_text(encoding="utf-8")))
+    foot = f"@page {{ @bottom-left {{ content: {in_css(title)}; font: 8pt 'DejaVu Sans', sans-serif; color: #5c6773; }} }}"
+    style = tag("style", Markup((HERE / "page.css").read_text(encoding="utf-8") + foot))
     scripts = (tag("script", Markup((HERE / name).read_text(encoding="utf-8"))) for name in SCRIPTS)
     meta = (
         tag("meta", charset="utf-8"),

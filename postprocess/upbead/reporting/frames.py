@@ -1,6 +1,6 @@
 """The fields of a run as frames of an animation: corners of cells near the caisson, displacement, pore pressure, strength."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -25,6 +25,7 @@ class Frames:
     displacement: np.ndarray  # frame, node, direction (m)
     pressure: np.ndarray  # frame, node (Pa)
     mobilised: np.ndarray | None  # frame, cell: share of the strength, nan where elastic; None where no soil yields
+    seams: np.ndarray = field(default_factory=lambda: np.empty((0, 2), dtype=int))  # pairs of nodes: the lines between two regions of ground
 
 
 def read(pvd, window):
@@ -35,14 +36,22 @@ def read(pvd, window):
     first = vtu.arrays(steps[0][1], ("points", "types", MOBILISED))
     points = first["points"][:, :2].astype(float)
     patches = vtu.corners(len(points), len(first["types"]))
+    regions = region_of(steps[0][1], len(patches))
     middle = points[patches].mean(axis=1)
-    patches = patches[(middle[:, 0] >= window[0]) & (middle[:, 0] <= window[1])]
+    seen = (middle[:, 0] >= window[0]) & (middle[:, 0] <= window[1])
+    patches, regions = patches[seen], regions[seen]
     if not len(patches):
         raise UserError("no cell of the fields lies near the caisson")
     chosen = [steps[index] for index in thinned(len(steps), len(patches), MOBILISED in first)]
     times, fields = np.array([time for time, _ in chosen]), [of_file(path, patches, len(points)) for _, path in chosen]
     moved, pressed, mobilised = (None if part[0] is None else np.array(part) for part in zip(*fields))
-    return merged(times, points[patches.ravel()], moved, pressed, mobilised)
+    return merged(times, points[patches.ravel()], moved, pressed, mobilised, regions)
+
+
+def region_of(path, patches):
+    """The number of each patch's region; all alike in files of before they had them."""
+    numbers = vtu.regions(path)[1]
+    return np.zeros(patches, dtype=int) if numbers is None else numbers.reshape(patches, -1)[:, 0]
 
 
 def of_file(path, patches, points):
@@ -66,7 +75,7 @@ def thinned(frames, cells, yields=False):
     return np.unique(np.linspace(0, frames - 1, min(frames, most)).round().astype(int))
 
 
-def merged(times, points, moved, pressed, mobilised=None):
+def merged(times, points, moved, pressed, mobilised=None, regions=None):
     """Corners at one place become one node, but separate nodes for ground, water and rigid bodies, whose fields
     differ there."""
     count = len(points) // 4
@@ -76,4 +85,15 @@ def merged(times, points, moved, pressed, mobilised=None):
     size = max(np.ptp(points[:, 0]), np.ptp(points[:, 1]))
     key = np.column_stack([np.round(points / (1e-6 * size)), np.repeat(kinds, 4)])
     _, first, node = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    return Frames(times, points[first], node.reshape(count, 4), kinds, moved[:, first], pressed[:, first], mobilised)
+    cells = node.reshape(count, 4)
+    between = seams(cells[kinds == GROUND], regions[kinds == GROUND]) if regions is not None else np.empty((0, 2), dtype=int)
+    return Frames(times, points[first], cells, kinds, moved[:, first], pressed[:, first], mobilised, between)
+
+
+def seams(cells, regions):
+    """Sides between cells of two regions."""
+    beside = {}
+    for cell, region in zip(cells.tolist(), regions.tolist()):
+        for a, b in zip(cell, [*cell[1:], cell[0]]):
+            beside.setdefault((min(a, b), max(a, b)), set()).add(region)
+    return np.array([side for side, both in beside.items() if len(both) > 1], dtype=int).reshape(-1, 2)

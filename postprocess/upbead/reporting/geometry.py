@@ -1,7 +1,6 @@
 """The outlines of a section: from the parameters of a shipped geometry, else from the mesh that the case names."""
 
 import math
-import os
 import re
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field

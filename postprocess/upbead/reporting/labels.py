@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 LETTER, WIDE = 0.62, 1.0  # widths of a letter over the size of the font: DejaVu Sans on average; Japanese
 OVER_TEXT, OVER_LINE, OVER_OUTLINE, BEYOND = 100.0, 8.0, 1.5, 60.0  # what is worst to cover; beyond the drawing's edge
+AWAY = 12.0  # of a place that needs a line
 MARKS = re.compile(r"<[^>]*>")
 
 
@@ -17,8 +18,9 @@ class Label:
     places: list
     class_: str = "note"
     size: float = 12.0
-    leader: tuple | None = None  # the point that a label far from it is led to by a line
-    near: float = 1e9  # px: farther away it has its line
+    leader: tuple | None = None  # the point to which a line leads from a place away from it
+    away: int = 0  # the first of the places that needs the line
+    rank: int = 0
     box: tuple = field(default=None)
     at: tuple = field(default=None)
 
@@ -76,22 +78,22 @@ def within(point, loop):
 
 
 def place(labels, lines, outlines, edge):
-    """Chooses a place for each label, in their order; `edge` is (left, top, right, bottom) of the drawing."""
+    """Chooses a place for each label, in their order, those last that may be led to by a line; `edge` is (left, top, right, bottom) of the drawing."""
     taken = []
-    for label in labels:
+    for label in sorted(labels, key=lambda one: one.leader is not None and not one.away):
         best = None
         for rank, at in enumerate(label.places):
             box = box_of(label.words, at, label.size)
-            cost = 0.02 * rank
+            cost = 0.02 * rank + (AWAY if label.leader and rank >= label.away else 0.0)
             cost += sum(OVER_TEXT for other in taken if overlap(box, other))
             cost += sum(OVER_LINE for line in lines if crosses(box, line))
             cost += sum(OVER_OUTLINE for line in outlines if crosses(box, line))
             if box[0] < edge[0] or box[2] > edge[2] or box[1] < edge[1] or box[3] > edge[3]:
                 cost += BEYOND
             if best is None or cost < best[0]:
-                best = (cost, at, box)
+                best = (cost, rank, at, box)
             if cost <= 0.02 * rank:
                 break
-        _, label.at, label.box = best
+        _, label.rank, label.at, label.box = best
         taken.append(label.box)
     return labels

@@ -34,6 +34,8 @@ def draw(frames, told, index):
     for kind in (fields.WATER, fields.GROUND, fields.RIGID):
         parts += cells(frames, told, index, moved, kind)
         parts += [edge(loop) for loop in loops(frames.cells[frames.kinds == kind], moved)]
+    seams = "".join(f"M{path(moved[side])}" for side in frames.seams)
+    parts += [tag("path", d=seams, class_="seam")] if seams else []
     if told["strength"]:
         zone = frames.cells[strength.in_zone(frames.mobilised[index])]
         parts += [edge(loop, "zone") for loop in loops(zone, moved)]

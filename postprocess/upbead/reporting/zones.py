@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import vtu
+from . import geometry, vtu
 from .language import say
 from .markup import Markup, join, tag
 from ..errors import UserError
@@ -55,18 +55,22 @@ def drawing(corners, number, limits, told, label):
     scale = min(WIDTH / (high[0] - low[0]), HEIGHT / (high[1] - low[1]))
     placed = np.stack([corners[..., 0] - low[0], high[1] - corners[..., 1]], axis=-1) * scale
     size = (high - low) * scale
-    parts = [
-        tag("path", d=outline(placed[number == k]), fill=colour(k), stroke="none" if k >= 0 else "#b8bec6", stroke_width=0.5)
-        for k in range(-1, len(limits) + 1)
-        if np.any(number == k)
-    ]
+    parts = [tag("path", d=outline(placed[number == k]), fill=colour(k)) for k in range(len(limits) + 1) if np.any(number == k)]
+    parts += [tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in loop), class_="elastic") for loop in around(placed[number < 0])]
     parts += scale_parts(limits, told, size[1] + 14)
     box = f"-1 -1 {max(size[0], 60.0 * (len(limits) + 1)) + 2:.1f} {size[1] + 48:.1f}"
     return tag("svg", *parts, viewBox=box, role="img", aria_label=label)
 
 
+def around(cells):
+    """The loops around cells; corners at one place are one."""
+    flat = np.round(cells.reshape(-1, 2), 1)
+    places, node = np.unique(flat, axis=0, return_inverse=True)
+    return geometry.outline(node.reshape(-1, 4).tolist(), places.tolist()) if len(cells) else []
+
+
 def colour(number):
-    return "none" if number < 0 else COLOURS[number]
+    return COLOURS[number]
 
 
 def outline(cells):

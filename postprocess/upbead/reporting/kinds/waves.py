@@ -2,7 +2,7 @@
 
 from .. import numbers
 from ..canvas import Canvas
-from ..drawing import metres
+from ..drawing import NARROW, metres
 from ..figure import of_drawing
 from ..head import card
 from .frame import result_section
@@ -15,6 +15,7 @@ KIND = "Report of wave forces by upbead"
 QUESTION = "Which pressures and forces do these waves bring to the caisson, and does it hold?"
 MOST_DRAWN = 4
 SLOPE = 2.0  # of the mound in the drawing
+BED = 0.12  # of the wall's height: the ground that is drawn below the mound
 
 
 def verdict(summary):
@@ -125,15 +126,20 @@ def drawing(section, wave, width, class_):
     reach = 0.7 * (base + crest) / max(wave["p1"], wave["p3"], wave["p4"], wave["pu"])  # m per Pa
     front, back = section["berm_width"], 0.5 * B
     toe = -front - SLOPE * (h - berm)
-    canvas = Canvas((min(toe, -0.9 * (base + crest)) - 1, B + back + SLOPE * (h - base) + 1, min(-h, -base - reach * wave["pu"]), crest), width, (8, 8, 30, 12))
-    canvas.add(canvas.loop([(canvas.x0, -h), (canvas.x0, 0), (0, 0), (0, -h)], "area water"))
+    low = min(-h - BED * (base + crest), -base - reach * wave["pu"] - BED * (base + crest))
+    window = (min(toe, -0.75 * (base + crest)) - 1, B + back + SLOPE * (h - base) + 1, low, crest)
+    canvas = Canvas(window, width, (70 if width > NARROW else 64, 8, 30, 8), "pressures")
+    for x0, x1 in ((canvas.x0, 0), (B, canvas.x1)):
+        canvas.add(canvas.loop([(x0, -h), (x0, 0), (x1, 0), (x1, -h)], "area water"))
     mound = [(toe, -h), (-front, -berm), (0, -berm), (0, -base), (B, -base), (B + back, -base), (B + back + SLOPE * (h - base), -h)]
+    canvas.add(canvas.loop([(canvas.x0, -h), (canvas.x1, -h), (canvas.x1, low), (canvas.x0, low)], "area sand0"))
     canvas.add(canvas.loop(mound, "area rubble0"), canvas.loop([(0, -base), (0, crest), (B, crest), (B, -base)], "area rigid"))
+    canvas.level(B + 0.6 * (canvas.x1 - B), 0.0)
     top = min(wave["eta_star"], crest)
     canvas.add(outline(canvas, wall(wave, top, base, reach), "pressure"))
     canvas.add(outline(canvas, wall(wave["without_alpha_I"], top, base, reach), "pressure other"))
     canvas.add(outline(canvas, [(0, -base), (B, -base), (0, -base - reach * wave["pu"])], "pressure"))
-    corners(canvas, wave, top, base, reach, crest, B)
+    corners(canvas, wave, top, base, reach, crest)
     canvas.across(0, B, crest, metres(B), -10)
     canvas.upright(B + 0.6, -base, crest, metres(base + crest))
     return canvas.svg(say("pressures of the wave on the section"), class_)
@@ -153,10 +159,13 @@ def named_value(key, wave):
     return tag("tspan", key[0], class_="i"), tag("tspan", key[1], class_="sub", dy=3), tag("tspan", number, dy=-3)
 
 
-def corners(canvas, wave, top, base, reach, crest, section_width):
+def corners(canvas, wave, top, base, reach, crest):
     """The numbers at the corners of the diagram."""
     for key, y, dy in (("p4", top, -5), ("p1", 0.0, -5), ("p3", -base, 12)):
-        canvas.text(-reach * wave[key], y, *named_value(key, wave), anchor="end", dx=-4, dy=dy)
-    canvas.text(section_width / 2, -base - reach * wave["pu"] / 2, *named_value("pu", wave), anchor="start", dx=6, dy=14)
+        px, py = canvas.at(-reach * wave[key], y)
+        words = join(named_value(key, wave))
+        canvas.label(words, [(px - 4, py + dy - 4, "end"), (px - 4, py - 12, "end"), (px - 4, py + 14, "end"), (px, py - 12, "middle")])
+    px, py = canvas.at(0, -base - reach * wave["pu"])
+    canvas.label(join(named_value("pu", wave)), [(px + 8, py - 4, "start"), (px - 8, py - 6, "end"), (px + 8, py + 8, "start")])
     if top < wave["eta_star"] and crest == top:
         canvas.text(0.0, top, say("overtopped"), anchor="start", dx=6, dy=14, class_="note small")
