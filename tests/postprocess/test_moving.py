@@ -59,6 +59,20 @@ def write(folder, interface=True, coupled=False):
     return Result(folder)
 
 
+class Seams(unittest.TestCase):
+    def test_the_line_between_two_soils(self):
+        """Four cells of ground, the lower two of another region: the line is the two sides between them; without regions there
+        is none."""
+        row = [(x, y) for y in (0.0, -1.0, -2.0) for x in (-1.0, 0.0, 1.0)]
+        places = np.array(row)
+        corners = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]])
+        points, moved, pressed = places[corners].reshape(-1, 2), np.full((1, 16, 2), 0.1), np.ones((1, 16))
+        made = frames.merged(np.array([0.0]), points, moved, pressed, None, np.array([5, 5, 2, 2]))
+        found = {tuple(sorted(map(tuple, made.points[side].tolist()))) for side in made.seams}
+        self.assertEqual(found, {((-1.0, -1.0), (0.0, -1.0)), ((0.0, -1.0), (1.0, -1.0))})
+        self.assertEqual(len(frames.merged(np.array([0.0]), points, moved, pressed).seams), 0)
+
+
 class Survey(unittest.TestCase):
     """Pictures of a section in survey coordinates are those of the same section about the origin."""
 

@@ -360,8 +360,10 @@ class Yielding(unittest.TestCase):
         square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
         corners = np.stack([square + [i, 0.0] for i in range(4)])
         drawn = zones.drawing(corners, number, limits, str, "cells")
-        self.assertEqual(drawn.count("<path"), 4)
-        self.assertIn('fill="none"', drawn)
+        self.assertEqual((drawn.count("<path"), drawn.count('class="elastic"')), (3, 1))
+        number[2] = -1  # beside the other elastic one: both have one outline
+        drawn = zones.drawing(corners, number, limits, str, "cells")
+        self.assertEqual((drawn.count("<path"), drawn.count('class="elastic"')), (2, 1))
 
     def test_what_lost_nothing_is_not_drawn(self):
         still = zones.Zones(1.0, np.zeros((1, 4, 2)), np.array([0.2]), np.array([0.0]))

@@ -78,11 +78,11 @@ class TextBoxes(unittest.TestCase):
             self.browser.open(page, width, dark=width == 800)
             found = boxes(self.browser)
             where = f"{page.parent.name}/{page.name} at {width} px"
-            self.assertGreater(found["texts"], 100, where)
+            self.assertGreater(found["texts"], 50, where)
             self.assertEqual(found["over"], [], where)
             self.assertEqual(found["outside"], [], where)
-        if self.axe:
-            self.assertEqual(violations(self.browser, self.axe), [], where)
+            if self.axe and width > WIDTHS[0]:  # light, and dark
+                self.assertEqual(violations(self.browser, self.axe), [], where)
 
     def test_reports(self):
         for name, parts in (SECTIONS | AT_LENGTH if at_length else SECTIONS).items():

@@ -1,10 +1,13 @@
 // The page of a design: from the fields to pressures, safety and sliding by formulas, at every move.
+import {checkItems, checksOfDesign} from "./checks.js";
 import {DesignControls} from "./design_controls.js";
 import {designToml, numbersCsv} from "./design_save.js";
 import {headlineOfDesign, notesOfDesign, spokenDesign, tablesOfDesign} from "./design_told.js";
 import {element, symbolic} from "./element.js";
 import {formulaAnswer} from "./formulas.js";
+import {askedText, Kept} from "./kept.js";
 import {Life} from "./life.js";
+import {linkButton, openLinked} from "./link.js";
 import {profileDrawing} from "./profile.js";
 import {saveButton} from "./save.js";
 import {contradictions} from "./validity.js";
@@ -21,8 +24,10 @@ class DesignPage {
     this.figure = element("figure");
     this.tables = element("div", {class: "tables"});
     this.warnings = element("ul", {class: "trust"});
+    this.checks = element("ul", {class: "checks"});
+    this.kept = new Kept(() => this.toKeep(), () => this.answer && this.show(), linkButton((text) => this.kept.say(text)));
     this.notes = element("ul", {class: "notes"});
-    const answer = element("div", {class: "answer"}, this.wrong, this.figure, this.warnings, this.tables, this.notes, this.buttons(), this.aloud);
+    const answer = element("div", {class: "answer"}, this.wrong, this.kept.element, this.checks, this.warnings, this.figure, this.tables, this.notes, this.buttons(), this.aloud);
     this.life = design.life ? new Life(design.life) : null;
     root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer), ...(this.life ? [this.life.element] : []));
     new ResizeObserver(([{contentRect}]) => {
@@ -31,6 +36,12 @@ class DesignPage {
     }).observe(this.figure);
     this.width = Math.max(280, Math.floor(this.figure.clientWidth));
     this.update();
+    openLinked(root);
+  }
+  // What is kept of this answer.
+  toKeep() {
+    const {ofWave, level, ofCaisson} = this.controls;
+    return this.answer && {name: askedText([...ofWave, level, ...ofCaisson]), rows: tablesOfDesign(this.answer).flatMap(([, rows]) => rows)};
   }
   buttons() {
     const save = (text, make) => saveButton(text, () => this.answer && make());
@@ -74,6 +85,7 @@ class DesignPage {
   show() {
     this.headline.replaceChildren(...headlineOfDesign(this.answer).map(([name, text]) => element("div", {}, element("dt", {}, ...symbolic(name)), element("dd", {}, text))));
     this.showTables();
+    this.checks.replaceChildren(...checkItems(checksOfDesign(this.answer, this.design.held_to)));
     const {warnings} = this.answer;
     this.warnings.replaceChildren(...(warnings.length === 0 ? [element("li", {class: "quiet"}, "No warning: wave and section are within what the formulas were made for.")]
       : warnings.map(({name, text}) => element("li", {class: "warned", "data-warning": name}, ...symbolic(text)))));
@@ -87,11 +99,13 @@ class DesignPage {
     if (!this.cells) {
       this.cells = told.map(([, rows]) => rows.map(([key]) => element("data", {"data-key": key})));
       this.tables.append(...told.map(([caption, rows], t) => element("table", {}, element("caption", {}, caption), element("tbody", {}, ...rows.map(([, name], i) =>
-        element("tr", {}, element("th", {scope: "row"}, ...symbolic(name)), element("td", {}, this.cells[t][i])))))));
+        element("tr", {}, element("th", {scope: "row"}, ...symbolic(name)), element("td", {}, this.cells[t][i], element("span", {class: "kept"}))))))));
     }
     told.forEach(([, rows], t) => rows.forEach(([, , text, value], i) => {
       this.cells[t][i].value = String(value);
       this.cells[t][i].textContent = text;
+      const kept = this.kept.beside(rows[i][0], value);
+      this.cells[t][i].nextSibling.textContent = kept && `kept ${kept}`;
     }));
   }
   draw() {

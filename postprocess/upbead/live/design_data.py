@@ -58,6 +58,7 @@ def design_data(design, name):
         "water": {"density": design["fluid"]["density"], "gravity": design["gravity"]},
         **{key: design.get(key, {}) for key in ("section", "duration", "combined", "levels")},
         "limits": {key: value for key, value in design.get("limits", {}).items() if key != "sliding"},
+        "held_to": {key: value for key, value in design.get("limits", {}).items() if isinstance(value, (int, float))},
         "waves": {key: {word: wave[word] for word in OWN_WAVE if word in wave} for key, wave in waves.items()},
         "notes": notes_of(waves),
     }

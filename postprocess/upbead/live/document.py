@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import re
+from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from .scene import of_same_scene
 
 HERE = Path(__file__).parent
 # Each module after those that it imports, as one script needs no imports.
-SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
+SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save", "link", "kept", "checks")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
 OF_MODEL = ("fft", "trust", "base", "circles", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
 OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "life", "design")
@@ -28,7 +29,7 @@ IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
 
 def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, design: str | PathLike[str] | None = None,
-         program: str | PathLike[str] | None = None) -> Path:
+         program: str | PathLike[str] | None = None, beside: Sequence[str | PathLike[str]] = ()) -> Path:
     """Writes the page of a reduced model, of a design, or of both, which answers other waves while one drags.
 
     Parameters
@@ -41,6 +42,8 @@ def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, 
         A design in addition to the model.
     program : path, optional
         The program, which reads design files.
+    beside : paths
+        Further models of the same loads, as of another soil, among which the page chooses.
 
     Returns
     -------
@@ -54,10 +57,11 @@ def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, 
         model = given / "reduced.h5" if given.is_dir() else given
     output = Path(output) if output else default_output(given, model)
     known, summary = effective(design, program) if design else (None, {})
-    keep_inputs(output, *(path for path in (model, design) if path), *(states_of(*known) if known else ()))
+    beside = [path / "reduced.h5" if path.is_dir() else path for path in map(Path, beside)]
+    keep_inputs(output, *(path for path in (model, design, *beside) if path), *(states_of(*known) if known else ()))
     data = known and with_life(design_data(known[0], design), *known, program)
     summaries = [of_run(model) if model else {}, summary, (data or {}).get("life", {}).pop("summary", {})]
-    text = document(*data_of(model, data), summaries)
+    text = document(*data_of(model, data, beside), summaries)
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
@@ -77,13 +81,28 @@ def default_output(given, model):
     return given / "page.html" if given.is_dir() else Path("results") / given.stem / "page.html"
 
 
-def data_of(model, design):
+def data_of(model, design, beside=()):
     """(numbers of a model's file, numbers of the design), each None if it is not given."""
-    model = model and model_data(model)
+    if beside and not model:
+        raise UserError("models stand beside a model: give one, not a design alone")
+    model = model and among(model, beside) if beside else model and model_data(model)
     if model and design and not model["wave"]:
         used = {key: design[key] for key in ("water", "section", "duration", "combined", "limits")}
         model["wave"] = of_design(used, next(iter(design["waves"].values())), 0)
     return model, design
+
+
+def among(path, beside):
+    """The numbers of a model with those of others, each named by its title, or where two have one by its folder."""
+    first, *others = (model_data(one) for one in (path, *beside))
+    loads = [load["name"] for load in first["loads"]]
+    for other, file in zip(others, beside):
+        if [load["name"] for load in other["loads"]] != loads:
+            raise UserError(f"'{file}' has other loads than '{path}' ({', '.join(loads)}): models beside each other answer one wave")
+    titles = [one["title"] for one in (first, *others)]
+    for one, file in zip((first, *others), (path, *beside)):
+        one["soil"] = one["title"] if titles.count(one["title"]) == 1 else file.resolve().parent.name
+    return {**first, "others": others}
 
 
 def document(model=None, design=None, summaries=()):

@@ -9,6 +9,13 @@ const circleText = ({circle: {factor, n, circle, computed}, time}) => circle ===
   `${plain(factor, 3)}, ${circle.side > 0 ? "landward" : "seaward"} at ${quantity(time[n], "s")}, by ${computed ? "computed" : "still water's"} pore pressure`;
 const meters = (value) => value === 0 ? "0" : quantity(value, "m");
 
+// When the base first lifts, as a mark in the histories; null where it never does.
+export function liftOf({worst, time}) {
+  if (!worst || worst.lifts === null) return null;
+  const at = time[worst.lifts.n];
+  return {time: at, text: `${EDGES[worst.lifts.edge].replace("its ", "")}, ${quantity(at, "s")}`};
+}
+
 // [key of `upbead respond`, name, text, value or null]
 export function rowsOf(answer, asked) {
   const rows = [

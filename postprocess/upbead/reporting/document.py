@@ -7,7 +7,7 @@ from .language import say, spoken
 from .markup import Markup, data, tag
 
 HERE = Path(__file__).parent
-SCRIPTS = ("clock.js", "plot.js", "raster.js", "deformed.js", "animation.js")
+SCRIPTS = ("clock.js", "plot.js", "raster.js", "deformed.js", "animation.js", "tables.js")
 OF_SCRIPTS = (
     "reset",
     "show all",

@@ -33,7 +33,7 @@ def tag(name, /, *parts, **attributes):
 def table(head, rows, class_=None):
     """A table in a box that scrolls on a narrow page; the first cell of a row is its name. Quantities of one unit have one prefix."""
     rows = alike(rows)
-    titles = tag("thead", tag("tr", *(tag("th", cell, scope="col") for cell in head))) if head else ""
+    titles = tag("thead", tag("tr", *(tag("th", cell, scope="col") if cell else tag("td") for cell in head))) if head else ""
     body = (tag("tr", tag("th", row[0], scope="row"), *(tag("td", cell) for cell in row[1:])) for row in rows)
     return tag("div", tag("table", titles, tag("tbody", *body), class_=class_), class_="table")
 
