@@ -123,9 +123,8 @@ TableSchema<TimeChoice> time_schema() {
       .fallback("when the loads and the section's answer to them are over; explain tells it");
   table.key("step", &TimeChoice::step, "s", "time step; auto: chosen from the loads and the tolerance", above(0.))
       .or_word("auto");
-  table.choice(
-      "scheme", &TimeChoice::scheme, time_scheme_words,
-      "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a march");
+  table.choice("scheme", &TimeChoice::scheme, time_scheme_words,
+               "how to solve in time: reduced (a sum of modes, as many as its measured error asks for) or a march");
   table.key("inertia", &TimeChoice::inertia, "", "whether inertia counts; false: quasi-static (consolidation)");
   table.key("growth", &TimeChoice::growth, "",
             "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "

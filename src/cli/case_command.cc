@@ -63,7 +63,7 @@ Examples:
 const char* const reduce_footer =
     R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
 'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
-[accuracy] tolerance asks for, measured on the case's own histories by nested models.
+[accuracy] tolerance asks for, measured on the case's own histories.
 With --soils FILE writes soils.h5: one model for all soils of a box and all waves, see docs/soils.md.
 
 Examples:
@@ -89,8 +89,7 @@ std::vector<Option> run_options(CaseOptions& options) {
 std::vector<Option> reduce_options(CaseOptions& options) {
   return {
       {"--all-readings", &options.all_readings,
-       "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
-       "tolerance"},
+       "make the model larger until the error of all readings, not of F_T alone, is below ten times the tolerance"},
       {"--soils", &options.soils,
        "one model for a box of soils: a file with a study's tables [vary.\"KEY\"], whose values are the ends of the "
        "box",

@@ -85,10 +85,10 @@ std::string to_json(const Reduced& made) {
 
 std::string describe(const ReducedSlip& slip) {
   if (!slip.model) return "";
-  return "slip        of the caisson with its ground, " + std::to_string(slip.model->vectors) + " vectors, " +
-         std::to_string(slip.model->solves) + " solves, " + significant(slip.seconds, 2) + " s; its forces " +
-         significant(slip.model->error, 2) + " of their peaks (nested models), F_T while it sticks " +
-         significant(slip.model->glued_error, 2) + " (against the model without slip)\n";
+  return "slip        of the caisson with its ground, " + std::to_string(slip.model->solves) + " solves, " +
+         significant(slip.seconds, 2) + " s; error of its forces " + significant(slip.model->error, 2) +
+         " of their peaks, of F_T while it sticks " + significant(slip.model->glued_error, 2) +
+         " (against the model without slip)\n";
 }
 
 std::string describe(const Reduced& made) {
@@ -101,8 +101,7 @@ std::string describe(const Reduced& made) {
   text += "loads      ";
   for (const ModelLoad& load : m.loads) text += " " + load.name + " (" + load.unit + ")";
   text += "\nerror       history of F_T " + significant(m.error, 2) + " of its peak, its peak " +
-          significant(m.error_peak, 2) + ", other readings up to " + significant(r.error.others, 2) +
-          " of their own largest value (by nested models)\n";
+          significant(m.error_peak, 2) + told_of_others(r) + "\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += describe(made.nested);
   text +=

@@ -144,6 +144,21 @@ std::string forces_of(const Summary& s) {
   return text;
 }
 
+/// "moves 78 mm landward"
+std::string moved(double landward) {
+  return "moves " + with_unit(std::abs(landward), "m") + (landward < 0. ? " seaward" : " landward");
+}
+
+/// "settles 78 mm, tilts 1:157 landward", as surveyors write a tilt; less than 1:100,000 is none that they see.
+std::string settled(double down, double rotation) {
+  constexpr double seen = 1e-5;
+  const std::string tilt = std::abs(rotation) < seen
+                               ? std::string("does not tilt")
+                               : "tilts 1:" + std::to_string(std::lround(1. / std::abs(rotation))) +
+                                     (rotation < 0. ? " seaward" : " landward");
+  return (down < 0. ? "rises " : "settles ") + with_unit(std::abs(down), "m") + ", " + tilt;
+}
+
 std::string periods_of(const std::vector<NaturalPeriod>& periods) {
   std::vector<std::string> list;
   for (const NaturalPeriod& p : periods)
@@ -292,11 +307,11 @@ std::string brief(const Summary& s) {
     text += "S           " + with_unit(s.sliding->design.value, "m") + error_of(s.sliding->design.error_estimate) +
             " by " + s.sliding->design.measure + "\n";
   if (s.residual)
-    text += "at rest     x " + with_unit(s.residual->displacement_x, "m") + ", y " +
-            with_unit(s.residual->displacement_y, "m") + ", turned " + significant(s.residual->rotation) + " rad\n";
+    text += "at rest     " + moved(s.residual->displacement_x) + ", " +
+            settled(-s.residual->displacement_y, s.residual->rotation) + "\n";
   if (s.construction && s.construction->caisson)
-    text += "before      settled " + with_unit(s.construction->caisson->settlement, "m") + ", turned " +
-            significant(s.construction->caisson->rotation) + " rad since it was set down, in no number above\n";
+    text += "before      " + settled(s.construction->caisson->settlement, s.construction->caisson->rotation) +
+            ", since it was set down and in no number above\n";
   if (!s.periods.empty()) text += periods_of(s.periods);
   return text + format("time        %.2f s; --details prints all else, summary.json has it\n", s.timing.total);
 }

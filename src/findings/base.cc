@@ -103,13 +103,13 @@ NumberedWarnings lift_warnings(const Evidence& e) {
   if (e.solution.contact || !base) return {};
   const EdgeStress least = least_edge_stress(*base, e.of(find_history).series.time);
   if (least.stress >= 0.) return {};
-  const std::string which = least.force < 0.    ? "the whole caisson"
-                            : least.moment > 0. ? "its seaward edge"
-                                                : "its landward edge";
+  const std::string which = least.force < 0.    ? "the whole base"
+                            : least.moment > 0. ? "the seaward edge"
+                                                : "the landward edge";
   return {{"would_lift", least.stress, 0., "Pa",
-           which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " +
-               significant(least.time) + " s (N' = " + with_unit(least.force, "N/m") + ", moment " +
-               with_unit(least.moment, "N m/m") + "), a tension that a bonded base bears and a real one does not",
+           which + " lifts at " + significant(least.time) + " s: bonded, as here, it bears a tension of " +
+               with_unit(-least.stress, "Pa") + ", which a real base does not (N' = " + with_unit(least.force, "N/m") +
+               ", moment " + with_unit(least.moment, "N m/m") + ")",
            "write [regions.caisson.interface] kind = \"friction\""}};
 }
 

@@ -110,11 +110,11 @@ NumberedWarnings inexact_warnings(const Evidence&, const Summary& summary) {
   if (!summary.reduction || summary.reduction->inexact.empty()) return list;
   std::string names;
   for (const InexactReading& reading : summary.reduction->inexact) names += (names.empty() ? "" : ", ") + reading.name;
-  list.push_back(
-      {"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others, "1",
-       "the reduced model that was asked for has F_T within its tolerance, but " + names + " move by up to " +
-           significant(summary.reduction->error_of_others) + " of their peaks between nested models",
-       "write time.scheme = \"sdirk4\" where these readings matter"});
+  list.push_back({"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others,
+                  "1",
+                  "the reduced model that was asked for has F_T within its tolerance, but " + names + " err by up to " +
+                      percent(summary.reduction->error_of_others) + " of their peaks",
+                  "write time.scheme = \"sdirk4\" where these readings matter"});
   return list;
 }
 

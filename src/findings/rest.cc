@@ -51,7 +51,7 @@ NumberedWarnings rest_warnings(const Evidence&, const Summary& summary) {
   const double factor = safety ? safety->upper.value_or(safety->lower.value_or(0.)) : 0.;
   if (!summary.why_void.empty())
     return {{"no_rest", factor, 1., "1",
-             summary.why_void + ": nothing that was computed from there is of a section that stands",
+             "the ground cannot carry the weights; all results below are void: " + summary.why_void,
              "check the strengths (c' in Pa, phi' in degrees), the water level and the slopes", true}};
   if (!safety || (safety->lower && *safety->lower >= 1.)) return {};
   return {{"rest_open", factor, 1., "1",

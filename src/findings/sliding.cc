@@ -15,8 +15,8 @@ namespace upbead {
 
 namespace {
 
-/// The S by the measure with the most mechanics that the run has: friction node by node, else a caisson that slips as
-/// a whole on the ground that it shakes, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
+/// The S by the measure with the most mechanics that the run has: friction node by node, else a caisson that slides
+/// as a rigid block on the moving ground, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
 DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
                              const std::optional<ResidualSummary>& residual) {
   if (contact && contact->solved)
@@ -25,7 +25,7 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
   if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
   if (s.coupled)
     return {s.coupled->slip.residual, "sliding.sliding_coupled",
-            s.coupled->vectors > 0 ? "the caisson slips as a whole on the ground that it shakes"
+            s.coupled->vectors > 0 ? "the caisson slides as a rigid block on the moving ground"
                                    : "the bonded caisson does not reach mu N'",
             s.coupled->error_estimate};
   const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
@@ -61,7 +61,8 @@ NumberedWarnings slip_warnings(const Evidence&, const Summary& summary) {
   if (!summary.sliding || !summary.sliding->coupled_failed) return {};
   const SlidingSummary& sliding = *summary.sliding;
   return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
-           "the bonded caisson reaches its friction, but the distance that it slips as a whole on its ground could not "
+           "the bonded caisson reaches its friction, but the distance that it slides as a rigid block on its ground "
+           "could not "
            "be computed: " +
                sliding.why_not_coupled,
            "take S from sliding_history, or from contact node by node (kind = \"friction\")"}};
@@ -256,7 +257,7 @@ OutputSchema<SlidingSummary> sliding_outputs() {
            "[upper bound of the error](accuracy.md) of `sliding_history`; null where `response.error_estimate` is")
       .reason("why_no_error_estimate", &S::why_no_estimate, "why `error_estimate` is null; else null")
       .key("sliding_coupled", coupled_slip, "m",
-           "S of a caisson that slips as a whole on the ground that it shakes, in the end; 0 where the bonded caisson "
+           "S of a caisson that slides as a rigid block on the moving ground, in the end; 0 where the bonded caisson "
            "does not reach mu N'; null where it cannot be computed")
       .reason("why_not_coupled", &S::why_not_coupled, "why `sliding_coupled` is null; null where it is not")
       .object("coupled", &S::coupled, coupled_outputs(), "details of `sliding_coupled`; null with it")

@@ -82,8 +82,9 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
           "soil of the cell needs to yield")
       .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
       .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
-           "of that area: where it starts from the stress of the elastic ground and that exceeds its strength; nothing "
-           "in the model bears the excess, and the soil starts at its strength")
+           "of that area: where the ground cannot carry the weights as elastic ground would: it starts at its "
+           "strength, and "
+           "the stress beyond that is left out")
       .object(
           "rest", &N::rest, rest_outputs(),
           "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "

@@ -86,7 +86,7 @@ const OutputSchema<WaveResponse>& wave_outputs() {
           .object("circle", &W::circle, circle_in_wave_outputs(),
                   "the least safe slip circle under the caisson; null where the model has none")
           .key("sliding_coupled", slip, "m",
-               "S where the caisson slips as a whole on the ground that it shakes, landward; null where not asked for, "
+               "S where the caisson slides as a rigid block on the moving ground, landward; null where not asked for, "
                "and where the model cannot compute it")
           .reason("why_not_coupled", &W::why_not_coupled, "the reason, where it is this wave's; else null")
           .object("coupled", &W::coupled, coupled_wave_outputs(), "of that slip; null with it");

@@ -14,7 +14,7 @@
 
 namespace upbead {
 
-/// Results for a caisson that slips as a whole on the ground that it shakes. Landward positive.
+/// Results for a caisson that slides as a rigid block on the moving ground. Landward positive.
 struct CoupledWave {
   double sliding = 0.;      ///< S, after it has come to rest (m)
   double largest = 0.;      ///< value of largest magnitude during the motion (m)

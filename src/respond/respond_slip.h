@@ -1,4 +1,4 @@
-// S of many waves, for a caisson that slips as a whole on the ground that it shakes.
+// S of many waves, for a caisson that slides as a rigid block on the moving ground.
 #pragma once
 
 #include <Eigen/Core>

@@ -142,12 +142,20 @@ std::string worst_reading(const Reduction& reduction) {
   return reduction.model.reading_label[static_cast<std::size_t>(worst)].name;
 }
 
+std::string told_of_others(const Reduction& reduction) {
+  const std::string name = worst_reading(reduction);
+  if (name.empty()) return "";
+  const bool close = reduction.error.others <= reduction.tolerance_of_others;
+  return "; least certain of all else is " + name + ", by " + percent(reduction.error.others) +
+         " of its largest value, " + (close ? "less than" : "which matters where it is read, not for F_T: more than") +
+         " its tolerance of " + percent(reduction.tolerance_of_others);
+}
+
 void require_converged(const Reduction& reduction) {
   if (reduction.converged) return;
-  throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_vectors) +
-                      " vectors: between nested models F_T still differs by " + significant(reduction.error.history) +
-                      " of its peak, other readings by up to " + significant(reduction.error.others) +
-                      " of their own largest value (" + worst_reading(reduction) + ")");
+  throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_solves) +
+                      " solves: F_T is uncertain by " + percent(reduction.error.history) + " of its peak, where " +
+                      percent(reduction.tolerance) + " are asked for" + told_of_others(reduction));
 }
 
 void require_shear_converged(const Reduction& reduction) {

@@ -60,6 +60,10 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
 /// Name of the reading with the largest error; "" where there is none.
 std::string worst_reading(const Reduction& reduction);
 
+/// "; least certain of all else is NAME, by 4.4 % of its largest value, less than its tolerance of 5 %"; "" where all
+/// is exact.
+std::string told_of_others(const Reduction& reduction);
+
 /// Throws NumericsError, with the error reached, where the nested models differ too much.
 void require_converged(const Reduction& reduction);
 

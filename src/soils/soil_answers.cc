@@ -104,9 +104,9 @@ void require_reduced(const Reduction& reduction, const std::string& soil) {
   const int worst = *std::max_element(reduction.measured.begin(), reduction.measured.end(),
                                       [&](int a, int b) { return own_error(reduction, a) < own_error(reduction, b); });
   throw NumericsError("the model of the soil " + soil + " has not converged after " +
-                      std::to_string(reduction.n_vectors) +
-                      " vectors: " + reduction.model.reading_label[static_cast<std::size_t>(worst)].name +
-                      " of nested models differs by " + significant(own_error(reduction, worst)) + " of its peak");
+                      std::to_string(reduction.n_solves) +
+                      " solves: " + reduction.model.reading_label[static_cast<std::size_t>(worst)].name +
+                      " is uncertain by " + percent(own_error(reduction, worst)) + " of its peak");
 }
 
 /// Largest difference of nested models over the largest value, of each reading, under the training histories.

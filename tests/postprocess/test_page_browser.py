@@ -147,7 +147,7 @@ class Page(unittest.TestCase):
         self.show()
         for peak, lifts in (("100", False), ("20000", True)):
             self.assertEqual(self.call(TYPE, "peak", peak), "")
-            self.assertEqual("The base lifts, first its seaward edge" in self.browser.value(notes), lifts, peak)
+            self.assertEqual("The base lifts (the seaward edge" in self.browser.value(notes), lifts, peak)
             self.assertEqual(self.call(NUMBER, "base_lifts") is not None, lifts)
             self.assertIn("made for pe by Goda", self.browser.value(notes))
 

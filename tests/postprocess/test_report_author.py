@@ -117,7 +117,7 @@ class Answer(unittest.TestCase):
     def test_what_slides(self):
         sliding = {"sliding_coupled": 0.027926, "design": {"value": 0.027926, "measure": "sliding.sliding_coupled", "why": ""}, "ratio": 1.2}
         told = self.told({"response": self.RESPONSE, "sliding": sliding})
-        for words in ("slides about 27.9 mm landward", "FT = 635 kN/m, 0.397 of", "P = 1,600 kN/m", "slipping as a whole on the ground", "not estimated"):
+        for words in ("slides about 27.9 mm landward", "FT = 635 kN/m, 0.397 of", "P = 1,600 kN/m", "sliding as a rigid block on the moving ground", "not estimated"):
             self.assertIn(words, told)
         sliding["design"]["value"] = -0.5
         self.assertIn("slides about 500 mm seaward", self.told({"response": self.RESPONSE, "sliding": sliding}))

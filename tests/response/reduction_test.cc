@@ -108,13 +108,16 @@ TEST(RequireConverged, SaysHowFarItIsAndWhere) {
   reduction.model.reading_label = {{"good", "", ""}, {"bad", "", ""}};
   EXPECT_EQ(worst_reading(reduction), "");
   reduction.error = {0.031, 0.02, 0.5, 0., Eigen::Vector2d(0.031, 0.5)};
-  reduction.n_vectors = 77;
+  reduction.n_solves = 77;
+  reduction.tolerance = 0.005;
+  reduction.tolerance_of_others = 0.05;
   EXPECT_EQ(worst_reading(reduction), "bad");
   try {
     require_converged(reduction);
     FAIL() << "did not throw";
   } catch (const NumericsError& error) {
-    for (const char* part : {"77 vectors", "0.031", "0.5", "bad"})
+    for (const char* part :
+         {"77 solves", "3.1 %", "0.5 %", "least certain of all else is bad, by 50 %", "matters where it is read"})
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << " in: " << error.what();
   }
   reduction.converged = true;

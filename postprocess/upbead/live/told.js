@@ -3,7 +3,7 @@ import {percent, plain, quantity} from "./numbers.js";
 
 const margin = (value) => value === null ? "nothing overturns" : plain(value, 3);
 const pressure = (value) => value === null ? "the resultant leaves the base" : quantity(value, "Pa");
-const EDGES = {"-1": "its seaward edge", 0: "the whole base", 1: "its landward edge"};
+const EDGES = {"-1": "the seaward edge", 0: "the whole base", 1: "the landward edge"};
 const lifts = ({worst, time}) => worst.lifts === null ? "never" : `${EDGES[worst.lifts.edge]}, at ${quantity(time[worst.lifts.n], "s")}`;
 const circleText = ({circle: {factor, n, circle, computed}, time}) => circle === null ? `0: the resultant leaves the base at ${quantity(time[n], "s")}` :
   `${plain(factor, 3)}, ${circle.side > 0 ? "landward" : "seaward"} at ${quantity(time[n], "s")}, by ${computed ? "computed" : "still water's"} pore pressure`;
@@ -71,11 +71,11 @@ export function notesOf(model, answer, sliding) {
   if (answer.worst && Math.abs(sliding.weight - model.base.weight) > 1e-9 * model.base.weight)
     notes.push(`N′, pressures and the margin are those of the case's own W′, ${quantity(model.base.weight, "N/m")}; the W′ above counts for S alone, as in upbead respond.`);
   if (answer.S !== 0)
-    notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slips on the ground that it shakes." : ""));
+    notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slides as a rigid block on the moving ground." : ""));
   if (answer.worst) {
     notes.push("Heel and toe pressure in motion vary linearly over the width in contact and grow without bound as the resultant comes to the edge. " +
       "limits.base_pressure, 400 to 600 kPa, was made for p_e by Goda's formulas, not for them.");
-    if (answer.worst.lifts) notes.push(`The base lifts, first ${lifts(answer)}: the model's ground sticks to it and pulls, so that F_T, N′ and all pressures ` +
+    if (answer.worst.lifts) notes.push(`The base lifts (${lifts(answer)}): the model's ground sticks to it and bears a tension, so that F_T, N′ and all pressures ` +
       "are doubtful from then on; upbead run with regions.caisson.interface.kind = \"friction\" lets it lift.");
   }
   if (answer.circle && answer.circle.factor < 1)

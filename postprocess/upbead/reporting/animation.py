@@ -51,10 +51,10 @@ def section(result, window):
 def caption(told, time):
     low, high = told["scale"]["text"]
     rest = [
-        say("Slip and gap under the caisson are drawn as many times too large.") if told["bottom"] else "",
+        say("Slip and gap under the caisson are magnified alike.") if told["bottom"] else "",
         say(
-            "Dotted: the caisson that slips as a whole, by its slip beside where the fields, which know none, have it; "
-            "as many times too large."
+            "Dotted: the caisson that slides as a rigid block, by its slip beside where the fields, which know none, have it; "
+            "magnified alike."
         )
         if told["slip"]
         else "",
@@ -65,7 +65,7 @@ def caption(told, time):
         tag("span", say("On paper: the moment {time} s.", time=f"{time:.4g}"), class_="onpaper"),
     ]
     return phrase(
-        "Displacements drawn {magnify} times too large; excess pore pressure in colour, {low} to {high} "
+        "Displacements magnified {magnify} times; excess pore pressure in colour, {low} to {high} "
         "(beyond: the end colours). {moment}",
         magnify=units.plain(told["magnify"]),
         low=low,

@@ -62,7 +62,7 @@ def edges(summary):
     if summary.get("lifts_time") is not None:
         edge = say({"seaward": "seaward edge", "landward": "landward edge"}.get(summary.get("lifts"), "whole base"))
         time = quantity(summary["lifts_time"], "s")
-        told_when = phrase("The base lifts, first at {time}: {edge}. From then on a base that is bonded pulls, as a real one cannot.", time=time, edge=edge)
+        told_when = phrase("The {edge} lifts, first at {time}. From then on a bonded base bears a tension that a real one does not.", time=time, edge=edge)
         words.append(tag("strong", told_when, class_="fails"))
     for name, key in HIDDEN.items():
         if key in summary and summary[key] is None:

@@ -26,8 +26,8 @@ KNOWN = [  # best first: key, short name, description
     ),
     (
         "sliding.sliding_coupled",
-        "slipping as a whole on the ground that it shakes",
-        "A caisson that slips as a whole on the ground that it shakes; the slip changes the shear force.",
+        "sliding as a rigid block on the moving ground",
+        "A caisson that slides as a rigid block on the moving ground; the slip changes the shear force.",
     ),
     (
         "sliding.sliding_history",

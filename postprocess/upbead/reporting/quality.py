@@ -56,7 +56,7 @@ def errors(summary):
             rows.append((say("estimated error of the sliding distance"), quantity(slip, "m"), say("by eq. (4) on the history")))
     reduction = summary.get("reduction")
     if reduction:
-        nested = say("between nested reduced models, over the peak")
+        nested = say("by a larger model beside it, over the peak")
         rows += [
             (phrase("history of $F_T$"), percent(reduction.get("error")), nested),
             (phrase("peak $F_T$"), percent(reduction.get("error_peak")), nested),

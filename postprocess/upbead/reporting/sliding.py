@@ -103,7 +103,7 @@ def force_caption(result):
         else "Shear force at the bottom $F_T$ of the bonded caisson against the friction that holds it, $μ W′$ on either side. "
         "{coupled}"
     )
-    coupled = say("“Coupled” is the caisson that slips as a whole.") if slipped(result) else ""
+    coupled = say("“Coupled” is the caisson that slides as a rigid block on the moving ground.") if slipped(result) else ""
     return phrase(caption, coupled=coupled)
 
 

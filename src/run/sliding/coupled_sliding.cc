@@ -27,9 +27,8 @@ SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead* ahead, con
   SlipReduction reduction = sliding_space(simulation, ahead)->reduce(bonded, progress);
   constexpr double tolerable = 0.02;  // error of forces: an undamped scene would need many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
-    throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
-                        " of their peaks between nested models with " + std::to_string(reduction.n_vectors) +
-                        " vectors");
+    throw NumericsError("the forces of its reduced model are uncertain by " + percent(reduction.error.history) +
+                        " of their peaks, where " + percent(tolerable) + " are tolerable");
   return reduction;
 }
 

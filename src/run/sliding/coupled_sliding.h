@@ -1,4 +1,4 @@
-// A caisson that slips as a whole on the ground that it shakes.
+// A caisson that slides as a rigid block on the moving ground.
 #pragma once
 
 #include <functional>
