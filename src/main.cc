@@ -10,6 +10,7 @@
 
 #include "base/cores.h"
 #include "cli/command.h"
+#include "cli/known_warnings.h"
 #include "cli/respond_cases.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
@@ -56,6 +57,7 @@ bool respond_meshes(const std::vector<std::string>& words) {
 std::string table(const std::vector<std::string>& words) {
   if (words == std::vector<std::string>{"explain", "--keys"}) return upbead::case_reference();
   if (words == std::vector<std::string>{"explain", "--schema"}) return upbead::case_json_schema();
+  if (words == std::vector<std::string>{"explain", "--warnings"}) return upbead::warning_reference();
   if (words == std::vector<std::string>{"explain", "--exclusions"}) return upbead::exclusion_table();
   return "";
 }

@@ -4,6 +4,7 @@
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
+#include "cli/known_warnings.h"
 #include "cli/report.h"
 #include "design/calibrate/calibration_report.h"
 #include "design/expected_report.h"
@@ -64,6 +65,7 @@ Command explain_command() {
       {"--schema", "print them as JSON Schema, by which an editor completes and checks a case file", case_json_schema},
       {"--outputs", "print every key of the summaries with unit and meaning", output_reference},
       {"--outputs-json", "the same for programs", output_table},
+      {"--warnings", "print every warning with its number, its limit and who gives it", warning_reference},
       {"--exclusions", "print what cannot go with what", exclusion_table}};
   command.work = [options] { return explain(*options); };
   return command;
