@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Solves every shipped case and writes docs/gallery.md: a paragraph, a picture and the numbers of each.
+"""Solves every shipped case and writes docs/reference/gallery.md: a paragraph, a picture and the numbers of each.
 
     /usr/bin/python3 postprocess/gallery.py build/upbead docs            # some minutes
     /usr/bin/python3 postprocess/gallery.py build/upbead docs --check    # a second; solves nothing
@@ -23,8 +23,8 @@ def write(docs, folder, arguments):
         print(entry.name, flush=True)
         opened = solve(entry, folder, arguments.program, arguments.jobs, arguments.results is not None)
         lines += page.section(cases, entry, opened, docs)
-    (docs / "gallery.md").write_text("\n".join(lines).rstrip() + "\n", encoding="utf-8")
-    print(docs / "gallery.md")
+    (docs / "reference/gallery.md").write_text("\n".join(lines).rstrip() + "\n", encoding="utf-8")
+    print(docs / "reference/gallery.md")
 
 
 def main():

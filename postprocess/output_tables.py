@@ -2,8 +2,7 @@
 
     /usr/bin/python3 postprocess/output_tables.py build/upbead
 
-The tables between `<!-- upbead explain --outputs: COMMAND -->` and `<!-- end -->` of docs/*.md, and upbead/outputs.json with
-unit and meaning of each key.
+That is a page docs/reference/summary-COMMAND.md for each command, and upbead/outputs.json with unit and meaning of each key.
 """
 
 import argparse
@@ -13,9 +12,16 @@ import subprocess
 from pathlib import Path
 
 import common  # noqa: F401: its hook shows errors without a traceback
+from pages.reference import from_reference
 
 HERE = Path(__file__).resolve().parent
-TABLES = re.compile(r"(<!-- upbead explain --outputs: (\w+) -->\n).*?(?=<!-- end -->\n)", re.DOTALL)
+REFERENCE = HERE.parent / "docs/reference"
+HEAD = """# summary.json of `upbead {command}`
+
+For those who read its numbers by a program: every key with its unit. A value that does not exist is null. Printed by
+`upbead explain --outputs`; [what a run writes](../output.md) has the other files.
+
+"""
 
 
 def asked(program, option):
@@ -25,12 +31,8 @@ def asked(program, option):
 def files(program):
     """{path: text as it should be}"""
     found = re.split(r"^## summary.json of `upbead (\w+)`\n", asked(program, "--outputs"), flags=re.MULTILINE)[1:]
-    tables = dict(zip(found[::2], found[1::2]))
-    made = {}
-    for path in sorted((HERE.parent / "docs").glob("*.md")):
-        text = path.read_text(encoding="utf-8")
-        if TABLES.search(text):
-            made[path] = TABLES.sub(lambda match: match[1] + tables[match[2]].rstrip("\n") + "\n\n", text)
+    made = {REFERENCE / f"summary-{command}.md": HEAD.format(command=command) + from_reference(tables).strip("\n") + "\n"
+            for command, tables in zip(found[::2], found[1::2])}
     commands = json.loads(asked(program, "--outputs-json"))
     blocks = (f'"{command}": {{\n' + ",\n".join(f"{json.dumps(key)}: {json.dumps(row)}" for key, row in keys.items()) + "\n}"
               for command, keys in commands.items())

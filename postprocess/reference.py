@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Writes the reference of all keys into docs/case.md, docs/design.md and docs/study.md, below the text of each page.
+"""Writes the reference of all keys into docs/reference/{case,design,study}.md, and the table of all warnings into
+docs/reference/warnings.md, below the text of each page.
 
     /usr/bin/python3 postprocess/reference.py build/upbead docs
     /usr/bin/python3 postprocess/reference.py build/upbead docs --check    # writes nothing

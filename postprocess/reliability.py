@@ -1,4 +1,4 @@
-"""Writes docs/reliability.md from the facts that each of the checks left in docs/reliability/*.json.
+"""Writes docs/reference/reliability.md from the facts that each of the checks left in docs/reliability/*.json.
 
     /usr/bin/python3 postprocess/reliability.py docs
 """
@@ -16,7 +16,7 @@ What was tried to make the program fail, how often, and what came out. Made by
     /usr/bin/python3 postprocess/reliability.py docs
 
 from docs/reliability/*.json, which the programs and scripts named below have written. Whether the equations are solved right
-is another page, [verification](verification.md); what the program says where its own assumptions fail, [warnings](warnings.md).
+is another page, [verification](verification.md); what the program says where its own assumptions fail, [warnings](../warnings.md).
 """
 ORDER = ["stability", "ladder", "long_time", "warnings", "faults", "property", "fuzzing", "sanitizers", "static_analysis",
          "coverage", "mutation"]
@@ -42,7 +42,7 @@ def cell(text):
 def section(fact):
     lines = [f"## {fact['title']}", "", fact["text"], "", f"    {fact['command']}", ""]
     if fact["figure"]:
-        lines += [f"![{fact['title']}](figures/{fact['figure']})", ""]
+        lines += [f"![{fact['title']}](../figures/{fact['figure']})", ""]
     lines += ["| what | tried | came out |", "|---|---|---|"]
     return lines + [f"| {cell(row['what'])} | {cell(row['tried'])} | {cell(row['came_out'])} |" for row in fact["rows"]] + [""]
 
@@ -61,7 +61,7 @@ def main():
     parser.add_argument("docs", type=Path, help="the folder docs")
     parser.add_argument("--check", action="store_true", help="write nothing; fail where the page is not current")
     arguments = parser.parse_args()
-    path = arguments.docs / "reliability.md"
+    path = arguments.docs / "reference/reliability.md"
     text = page(arguments.docs)
     if not arguments.check:
         path.write_text(text)

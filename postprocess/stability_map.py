@@ -86,7 +86,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenes", type=Path)
     parser.add_argument("-o", "--output", type=Path, default=Path("docs/figures/stability.png"))
-    parser.add_argument("--facts", type=Path, help="JSON file for docs/reliability.md")
+    parser.add_argument("--facts", type=Path, help="JSON file for docs/reference/reliability.md")
     options = parser.parse_args()
     rows = read(options.scenes)
     if not rows:

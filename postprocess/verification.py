@@ -1,4 +1,4 @@
-"""Writes docs/verification.md and its figures from the results of the verification tests.
+"""Writes docs/reference/verification.md and its figures from the results of the verification tests.
 
     ctest -C long -L verification -E page      (in the build folder; writes build/verification/*.json)
     /usr/bin/python3 postprocess/verification.py build/verification docs
@@ -24,7 +24,7 @@ the results of the tests by
 so every number below is compared with the limit beside it whenever the tests run. An error is the largest over all points
 and times. `full` is the full equations of Biot (`flow = "inertial"`), `upB` the u-p equations without the fluid's own
 inertia (`flow = "darcy"`). The tables of exact solutions are in tests/reference; none was made with this program. The
-equations are in [theory](theory.md). Whether they describe a breakwater is another question (validation), which this page
+equations are in [theory](../theory.md). Whether they describe a breakwater is another question (validation), which this page
 does not answer.
 """
 
@@ -100,7 +100,7 @@ def draw(records, path):
 def section(key, problem, records, figures):
     lines = [f"## {problem['title']}", "", problem["text"], "", f"Source: {problem['source']}.", ""]
     if draw(records, figures / f"{key}.png"):
-        lines += [f"![Exact solution as lines between its tabulated points, computed as dots](figures/verification/{key}.png)", ""]
+        lines += [f"![Exact solution as lines between its tabulated points, computed as dots](../figures/verification/{key}.png)", ""]
     return lines + table([check for record in records for check in record["checks"]]) + [""]
 
 
@@ -117,8 +117,9 @@ def write(results, docs):
     lines.append("")
     for key, problem in present.items():
         lines += section(key, problem, found[key], figures)
-    (docs / "verification.md").write_text("\n".join(lines).rstrip() + "\n")
-    print(docs / "verification.md")
+    (docs / "reference").mkdir(exist_ok=True)
+    (docs / "reference/verification.md").write_text("\n".join(lines).rstrip() + "\n")
+    print(docs / "reference/verification.md")
     for key in problems:
         if key not in found:
             print(f"no results of {key}")
@@ -133,7 +134,7 @@ def rows_of(lines):
 def check(results, docs):
     """Raises an error that lists where the page and the tests differ, or where a limit is not met."""
     checks = [c for records in read_results(results).values() for r in records for c in r["checks"]]
-    path = docs / "verification.md"
+    path = docs / "reference/verification.md"
     if not path.is_file():
         raise UserError(f"there is no '{path}'; make it with this script, without --check")
     claimed, tested = rows_of(path.read_text().splitlines()), rows_of(row(c) for c in checks)

@@ -1,4 +1,4 @@
-"""The page docs/gallery.md: its sections, and whether it is up to date."""
+"""The page docs/reference/gallery.md: its sections, and whether it is up to date."""
 
 import io
 import tomllib
@@ -18,7 +18,7 @@ Every shipped case: what it is, what it shows, its numbers. The page is made by
     /usr/bin/python3 postprocess/gallery.py build/upbead docs
 
 which solves every case. Forces and moments are per metre of breakwater. A row of a study has the least, the median and the
-largest value over all its runs. What is assumed and what is calibrated: [cases](../cases/README.md).
+largest value over all its runs. What is assumed and what is calibrated: [cases](../../cases/README.md).
 """
 
 
@@ -56,9 +56,9 @@ def section(cases, entry, opened, docs):
     figure.parent.mkdir(parents=True, exist_ok=True)
     save_small(entry.draw(opened), figure)
     heading = heading_of(cases, entry)
-    files = ", ".join(f"[{case}](../cases/{case})" for case in entry.cases)
-    lines = [f"## {heading}", "", files, "", text.paragraph(cases, entry, docs), ""]
-    lines += [f"![{heading}](figures/gallery/{entry.name}.png)", ""]
+    files = ", ".join(f"[{case}](../../cases/{case})" for case in entry.cases)
+    lines = [f"## {heading}", "", files, "", text.paragraph(cases, entry, docs / "reference"), ""]
+    lines += [f"![{heading}](../figures/gallery/{entry.name}.png)", ""]
     lines += [*table_lines(entry, opened), ""]
     lines += [*(command_line(entry, case) for case in entry.cases), ""]
     return lines + ([entry.note, ""] if entry.note else [])
@@ -79,16 +79,16 @@ def check(cases, entries, docs):
     paragraphs."""
     shipped = {str(path.relative_to(cases)) for path in cases.rglob("*.toml")}
     known = {case for entry in entries for case in entry.cases}
-    page = docs / "gallery.md"
+    page = docs / "reference/gallery.md"
     lines = page.read_text(encoding="utf-8") if page.is_file() else ""
     wrong = [f"there is no cases/{case}" for case in sorted(known - shipped)]
-    wrong += [f"cases/{case} is not on the page" for case in sorted(known) if f"](../cases/{case})" not in lines]
+    wrong += [f"cases/{case} is not on the page" for case in sorted(known) if f"](../../cases/{case})" not in lines]
     for entry in entries:
         figure = docs / "figures/gallery" / f"{entry.name}.png"
-        if not figure.is_file() or f"](figures/gallery/{entry.name}.png)" not in lines:
+        if not figure.is_file() or f"](../figures/gallery/{entry.name}.png)" not in lines:
             wrong.append(f"the figure {entry.name}.png is missing")
         elif figure.stat().st_size > LARGEST:
             wrong.append(f"the figure {entry.name}.png has more than {LARGEST} bytes")
-        if set(entry.cases) <= shipped and text.paragraph(cases, entry, docs) not in lines:
+        if set(entry.cases) <= shipped and text.paragraph(cases, entry, docs / "reference") not in lines:
             wrong.append(f"the paragraph of {entry.name} is an older one")
     return wrong

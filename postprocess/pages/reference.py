@@ -1,14 +1,18 @@
-"""The generated reference of keys: pages with a text of their own, followed by the keys as the program prints
-them."""
+"""The generated reference in docs/reference: a page of keys for each kind of file, and a page of the summary for each command, each
+below a text of its own."""
+
+import re
 
 from upbead.errors import UserError
 from upbead.program import call
 
-PAGES = {  # page: commands that print the same keys
+KEYS = {  # page: commands that print the same keys
     "case.md": ["explain"],
     "design.md": ["waves", "expected", "calibrate", "reliability"],
     "study.md": ["study"],
 }
+WARNINGS = "warnings.md"
+LINK = re.compile(r"\]\((?!\.\./|https?:|#)")  # the program's links are relative to docs
 
 
 def keys(program, commands):
@@ -19,21 +23,29 @@ def keys(program, commands):
     return found.pop()
 
 
+def from_reference(printed):
+    """What the program prints, with its links as they are seen from docs/reference."""
+    return LINK.sub("](../", printed)
+
+
 def renewed(text, printed):
-    """The page: its own text and the printed keys below."""
+    """The page: its own text and what is printed below."""
+    printed = from_reference(printed)
     first = printed.splitlines()[0]
     head, found, _ = text.partition(f"\n{first}\n")
     if not found:
-        raise UserError(f"the page has no line '{first}', below which the keys are printed")
+        raise UserError(f"the page has no line '{first}', below which the program's own text is printed")
     return head + "\n" + printed
 
 
 def pages(program, docs):
     """{path: (present text, correct text)}"""
-    found = {}
-    for name, commands in PAGES.items():
-        text = (docs / name).read_text(encoding="utf-8")
-        found[docs / name] = text, renewed(text, keys(program, commands))
+    folder, found = docs / "reference", {}
+    printed = {name: keys(program, commands) for name, commands in KEYS.items()}
+    printed[WARNINGS] = call(["explain", "--warnings"], program)
+    for name, tables in printed.items():
+        text = (folder / name).read_text(encoding="utf-8")
+        found[folder / name] = text, renewed(text, tables)
     return found
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Words that docs/glossary.md bans are not used: in its table "Not written", each row has the words and what is
+"""Words that tests/checks/not_written.md bans are not used: in its table each row has the words and what is
 written instead. Checked are README, CONTRIBUTING, docs, READMEs of cases and meshes (without their code), and the
 sentences in strings of src and postprocess (a string without a space is a key).
 
@@ -12,17 +12,16 @@ import re
 import sys
 import tokenize
 
-HEADING = "## Not written"
 LITERAL = re.compile(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', re.DOTALL)
 CODE = re.compile(r"^(```.*?^```|    .*?$)|`[^`\n]+`|\]\([^)\n]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
 
 
-def banned(glossary):
+def banned(table):
     """{pattern: what is written instead}"""
-    rows = re.findall(r"^\| (.+?) \| (.+?) \|$", glossary.split(HEADING, 1)[1], flags=re.MULTILINE)[1:]
+    rows = re.findall(r"^\| (.+?) \| (.+?) \|$", table, flags=re.MULTILINE)[1:]
     listed = {re.compile(r"\b" + r"\s+".join(map(re.escape, words.split())) + r"\b", re.IGNORECASE): instead
               for phrases, instead in rows for words in phrases.split("; ")}
-    assert len(listed) > 10, f"{HEADING} of the glossary has no table"
+    assert len(listed) > 10, "not_written.md has no table"
     return listed
 
 
@@ -54,8 +53,7 @@ def prose_of_python(text):
 def sources(root):
     pages = [root / "README.md", root / "CONTRIBUTING.md", *root.glob("docs/**/*.md"), *root.glob("cases/**/*.md"), *root.glob("meshes/*.md")]
     for path in pages:
-        if path != root / "docs/glossary.md":
-            yield path, prose_of_page
+        yield path, prose_of_page
     for path in sorted(root.glob("src/**/*")):
         if path.suffix in (".cc", ".h"):
             yield path, prose_of_cpp
@@ -65,7 +63,7 @@ def sources(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    words = banned((root / "docs/glossary.md").read_text(encoding="utf-8"))
+    words = banned((root / "tests/checks/not_written.md").read_text(encoding="utf-8"))
     found, n = [], 0
     for path, prose in sources(root):
         n += 1

@@ -23,6 +23,7 @@ from program import CASES, PROGRAM, ProgramTest, main, upbead
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
 import output_tables  # noqa: E402
+from pages import reference  # noqa: E402
 from report import vtu  # noqa: E402
 
 QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
@@ -229,8 +230,10 @@ class Cli(ProgramTest):
                 self.assertTrue(low < response["shear_to_force_ratio"] < high, response["shear_to_force_ratio"])
 
     def test_reference_of_keys_is_current(self):
-        text = (CASES.parent / "docs/case.md").read_text()
-        self.assertTrue(text.endswith(upbead("explain", "--keys").stdout), "run upbead explain --keys into docs/case.md")
+        for page, option in (("case", "--keys"), ("warnings", "--warnings")):
+            text = (CASES.parent / f"docs/reference/{page}.md").read_text()
+            printed = reference.from_reference(upbead("explain", option).stdout)
+            self.assertTrue(text.endswith(printed), "run postprocess/reference.py build/upbead docs")
 
     def test_tables_of_outputs_are_current(self):
         for path, text in output_tables.files(PROGRAM).items():

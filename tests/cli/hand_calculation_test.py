@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""docs/hand-calculations.md: each calculation gives its stated value, and so does the program, to the digits of the
+"""docs/reference/hand-calculations.md: each calculation gives its stated value, and so does the program, to the digits of the
 value."""
 
 import json
@@ -9,7 +9,7 @@ import unittest
 
 from program import CASES, ProgramTest, upbead
 
-PAGE = (CASES.parent / "docs/hand-calculations.md").read_text()
+PAGE = (CASES.parent / "docs/reference/hand-calculations.md").read_text()
 ROW = re.compile(r"^\| (.+?) \| `(.+?)` \| (.+?) \| (.*?) \| (?:`(.+?)`)? *\|$", re.MULTILINE)
 SCALE = {"kPa": 1e3, "kN/m": 1e3, "kN m/m": 1e3}
 NAMES = {name: getattr(math, name) for name in ("pi", "sinh", "cosh", "tanh", "cos", "sqrt", "radians")}

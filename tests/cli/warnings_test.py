@@ -2,7 +2,7 @@
 """Warnings about numbers that look right and are not: each appears on a scene built for it, with the number for which
 the scene was built; the shipped cases have no warning.
 
-usage: warnings_test.py PROGRAM CASES_FOLDER [--facts FILE]   FILE: facts for docs/reliability.md
+usage: warnings_test.py PROGRAM CASES_FOLDER [--facts FILE]   FILE: facts for docs/reference/reliability.md
 """
 
 import json

@@ -56,7 +56,7 @@ WORDS = {
 BATCHES = {"mesh": 8000, "groups": 6000}  # executions per process: gmsh does not free 0.1 MB of each
 # s: these targets stop gmsh and HDF5 after 5 s of computing, which are 12 s with sanitizers
 TIMEOUTS = {"mesh": 60, "model_bytes": 60}
-DOCUMENTS = {"case": ["case.md"], "design": ["waves.md", "expected.md", "calibration.md"]}
+DOCUMENTS = {"case": ["reference/case.md"], "design": ["reference/design.md"]}
 NUMBERS = ["inf", "nan", "1e308", "-1e308", "1e-308", "0.0", "-1", "true", "[]", "[[0,1],[1,0]]", "{}", "\\x22\\x22",
            "\\x22auto\\x22", "9223372036854775807", "\\x0a[", "]\\x0a", "1979-05-27"]
 

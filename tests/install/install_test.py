@@ -74,7 +74,7 @@ class Installed(unittest.TestCase):
         call("/usr/bin/python3", "-B", scripts / "report.py", self.result, cwd=self.folder)
         page = (self.result / "report.html").read_text()
         self.assertIn('id="run"', page)
-        self.assertIn("share of the pores in the volume", page)  # the meaning of a key, from the installed docs/case.md
+        self.assertIn("share of the pores in the volume", page)  # the meaning of a key, from the installed docs/reference/case.md
 
     def test_manual_pages_and_completion(self):
         page = (self.prefix / "share/man/man1/upbead-run.1").read_text()

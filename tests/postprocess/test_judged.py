@@ -144,7 +144,7 @@ class Judged(unittest.TestCase):
 
     def changed(self, folder, file, command):
         """Inputs that a report says to be set for the run, though nothing was."""
-        known = reference.read(SCRIPTS.parent / "docs" / ("case.md" if command == "run" else "design.md"))
+        known = reference.read(SCRIPTS.parent / "docs/reference" / ("case.md" if command == "run" else "design.md"))
         rows = inputs.rows(read_case(folder), source_case.read(file), source_case.units(folder / "case.toml"), known)
         return [(row.path, row.value) for row in rows if row.mark == "changed"]
 

@@ -29,6 +29,9 @@ class Current(unittest.TestCase):
     def test_reference_of_keys(self):
         self.assertEqual(reference.check(PROGRAM, DOCS), [], "run postprocess/reference.py build/upbead docs")
 
+    def test_datasets_at_length(self):
+        self.assertEqual(script("dataset_tables.py", PROGRAM, DOCS, "--check").returncode, 0, "run postprocess/dataset_tables.py build/upbead docs")
+
     def test_every_shipped_case_is_in_the_gallery(self):
         wrong = page.check(CASES, entries(CASES), DOCS)
         self.assertEqual(wrong, [], "run postprocess/gallery.py build/upbead docs")
@@ -39,11 +42,12 @@ class Reference(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.docs = Path(temporary.name)
-        for name in reference.PAGES:
-            shutil.copy(DOCS / name, self.docs)
+        (self.docs / "reference").mkdir()
+        for name in (*reference.KEYS, reference.WARNINGS):
+            shutil.copy(DOCS / "reference" / name, self.docs / "reference")
 
     def test_older_page_is_seen_and_made_anew(self):
-        case = self.docs / "case.md"
+        case = self.docs / "reference/case.md"
         older = case.read_text().replace("\n| `gravity`", "\n| `gravitation`").replace("# The case file", "# My head")
         case.write_text(older)
         done = script("reference.py", PROGRAM, self.docs, "--check")
@@ -52,10 +56,10 @@ class Reference(unittest.TestCase):
         self.assertNotIn("design.md", done.stderr)
         self.assertEqual(case.read_text(), older)
         self.assertEqual(script("reference.py", PROGRAM, self.docs).returncode, 0)
-        self.assertEqual(case.read_text(), (DOCS / "case.md").read_text().replace("# The case file", "# My head"))
+        self.assertEqual(case.read_text(), (DOCS / "reference/case.md").read_text().replace("# The case file", "# My head"))
 
     def test_page_without_a_place_for_the_keys(self):
-        (self.docs / "study.md").write_text("# Studies\n")
+        (self.docs / "reference/study.md").write_text("# The study file\n")
         done = script("reference.py", PROGRAM, self.docs, "--check")
         self.assertEqual(done.returncode, 1)
         self.assertIn("below which the keys are printed", done.stderr)

@@ -145,7 +145,7 @@ class Figures(unittest.TestCase):
         docs = self.folder / "docs"
         figure = docs / "figures/verification/terzaghi.png"
         self.expect_figure(self.script("verification.py", self.folder, docs), figure, b"\x89PNG")
-        text = (docs / "verification.md").read_text(encoding="utf-8")
+        text = (docs / "reference/verification.md").read_text(encoding="utf-8")
         self.assertIn("| p over q | 1.0e-04 | 0.001 |", text)
         self.assertIn("| order of u | 1.98 | at least 1.9 |", text)
         self.assertIn("| [Terzaghi's consolidation](#terzaghis-consolidation) | 2 | none | 10 % |", text)
@@ -154,7 +154,7 @@ class Figures(unittest.TestCase):
         self.expect_error(self.script("verification.py", self.folder, docs, "--check"), "not met: p over q")
         self.make_records(error=None)  # a number that is not finite
         self.script("verification.py", self.folder, docs)
-        self.assertIn("| not finite | 0.001 **not met** |", (docs / "verification.md").read_text(encoding="utf-8"))
+        self.assertIn("| not finite | 0.001 **not met** |", (docs / "reference/verification.md").read_text(encoding="utf-8"))
 
     def test_verification_without_results(self):
         self.expect_error(self.script("verification.py", self.folder, self.folder), "holds no results")

@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   CLI::App program(
       "Marches of very many steps, and harmonic marches to the steady state. Exit code 1 where one drifts.");
   program.add_option("--steps", steps, "of the long marches")->capture_default_str();
-  program.add_option("--facts", facts, "JSON file for docs/reliability.md");
+  program.add_option("--facts", facts, "JSON file for docs/reference/reliability.md");
   CLI11_PARSE(program, argc, argv);
   const upbead::PetscSession petsc;
   Findings findings;

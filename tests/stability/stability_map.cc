@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
   CLI::App program(
       "Random scenes over the whole range of physics: each must be refused with a reason, or its numbers must hold "
       "what "
-      "docs/reliability.md says. Exit code 1 where one does not.");
+      "docs/reference/reliability.md says. Exit code 1 where one does not.");
   program.add_option("--count", options.count, "how many scenes")->capture_default_str();
   program.add_option("--first", options.first, "number of the first one")->capture_default_str();
   program.add_option("--seed", options.seed, "stream of numbers")->capture_default_str();

@@ -1,4 +1,4 @@
-"""Unit, default and meaning of a key of a case, from the reference docs/case.md."""
+"""Unit, default and meaning of a key of a case, from the reference docs/reference/case.md."""
 
 import re
 import tomllib
@@ -28,7 +28,7 @@ class Key:
 
 def read(path=None):
     """{(section, key): Key}, sections as 'regions.NAME.damping'; empty if there is no reference."""
-    path = path or places.docs() / "case.md"
+    path = path or places.docs() / "reference/case.md"
     if not path.is_file():
         return {}
     found, section = {}, ""

@@ -1,5 +1,5 @@
 // Results of a verification test: checks with their limits, and curves. Each check is asserted at once and recorded;
-// postprocess/verification.py makes docs/verification.md from the records.
+// postprocess/verification.py makes docs/reference/verification.md from the records.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -19,7 +19,7 @@ def build(folder, found, kind, case_file, language):
     source = page.author_case(case or {"title": heading}, folder, case_file)
     words = author.read(case, source, folder / "case.toml")
     with speaking(language or words.language):
-        rows = inputs.rows(case, source, source_case.units(folder / "case.toml"), reference.read(places.docs() / "design.md"))
+        rows = inputs.rows(case, source, source_case.units(folder / "case.toml"), reference.read(places.docs() / "reference/design.md"))
         return document(heading, body(found, kind, words, summary, rows, source, folder, heading))
 
 
