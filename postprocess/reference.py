@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Writes the reference of all keys into docs/reference/{case,design,study}.md, and the table of all warnings into
-docs/reference/warnings.md, below the text of each page.
+"""Writes the reference of all keys into docs/reference/{case,design,study}.md, and the tables of all warnings and
+exclusions into docs/reference/{warnings,exclusions}.md, below the text of each page.
 
     /usr/bin/python3 postprocess/reference.py build/upbead docs
     /usr/bin/python3 postprocess/reference.py build/upbead docs --check    # writes nothing

@@ -11,7 +11,7 @@ KEYS = {  # page: commands that print the same keys
     "design.md": ["waves", "expected", "calibrate", "reliability"],
     "study.md": ["study"],
 }
-WARNINGS = "warnings.md"
+PRINTED = {"warnings.md": "--warnings", "exclusions.md": "--exclusions"}  # page: option of explain
 LINK = re.compile(r"\]\((?!\.\./|https?:|#)")  # the program's links are relative to docs
 
 
@@ -42,7 +42,7 @@ def pages(program, docs):
     """{path: (present text, correct text)}"""
     folder, found = docs / "reference", {}
     printed = {name: keys(program, commands) for name, commands in KEYS.items()}
-    printed[WARNINGS] = call(["explain", "--warnings"], program)
+    printed |= {name: call(["explain", option], program) for name, option in PRINTED.items()}
     for name, tables in printed.items():
         text = (folder / name).read_text(encoding="utf-8")
         found[folder / name] = text, renewed(text, tables)

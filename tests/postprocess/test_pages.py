@@ -43,7 +43,7 @@ class Reference(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.docs = Path(temporary.name)
         (self.docs / "reference").mkdir()
-        for name in (*reference.KEYS, reference.WARNINGS):
+        for name in (*reference.KEYS, *reference.PRINTED):
             shutil.copy(DOCS / "reference" / name, self.docs / "reference")
 
     def test_older_page_is_seen_and_made_anew(self):
