@@ -19,8 +19,8 @@ def install(build, target, bundle):
     for left in ("share/upbead/postprocess", "share/man", "share/bash-completion", "share/upbead/docs"):
         shutil.rmtree(target / left, ignore_errors=True)
     docs = Path(__file__).resolve().parents[1] / "docs"
-    (target / "share/upbead/docs").mkdir()
-    for page in ("case.md", "design.md"):  # from their tables a report has the meaning of keys
+    (target / "share/upbead/docs/reference").mkdir(parents=True)
+    for page in ("reference/case.md", "reference/design.md"):  # from their tables a report has the meaning of keys
         shutil.copy(docs / page, target / "share/upbead/docs" / page)
     if bundle:
         add_libraries(target)

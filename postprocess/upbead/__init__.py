@@ -27,6 +27,7 @@ from .reduced_model import ReducedModel
 from .reports import report
 from .results import Result
 from .scene import Scene
+from .sensitivity import KeyShare, Sensitivity, sensitivity
 from .slip_result import SlipResult
 from .soil_model import SoilModel
 from .study_table import StudyTable
@@ -34,9 +35,9 @@ from .tables import MissingPackage
 from .calibration_result import CalibrationResult
 from .expected_result import ExpectedResult
 
-__all__ = ["CalibrationResult", "CaseError", "ExpectedResult", "Fit", "History", "MissingPackage", "ModelError", "NumericsError", "ReducedModel", "Result",
-           "Scene", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable", "UnknownName", "UpbeadError", "UserError", "calibrate", "expected",
-           "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run", "soil_posterior", "study", "waves"]
+__all__ = ["CalibrationResult", "CaseError", "ExpectedResult", "Fit", "History", "KeyShare", "MissingPackage", "ModelError", "NumericsError", "ReducedModel", "Result",
+           "Scene", "Sensitivity", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable", "UnknownName", "UpbeadError", "UserError", "calibrate", "expected",
+           "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run", "sensitivity", "soil_posterior", "study", "waves"]
 
 
 def __getattr__(name: str) -> Any:

@@ -10,13 +10,20 @@ Saltelli 1996), by the estimators of Martinez (2011) of OpenTURNS, with interval
 a wide range brings much.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from difflib import get_close_matches
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .errors import SoilError, UserError
+from .soil_answer import SoilAnswer
 from .soil_gradient import number
+from .soil_model import Axis, SoilModel
 
 AT_ONCE = 64  # soils between two tellings of progress
 LEAST = 16  # rows of the design that intervals need
@@ -30,9 +37,9 @@ class KeyShare:
 
     key: str
     first: float | None = None
-    first_interval: tuple | None = None
+    first_interval: tuple[float, float] | None = None
     total: float | None = None
-    total_interval: tuple | None = None
+    total_interval: tuple[float, float] | None = None
     at_low: float | None = None
     at_high: float | None = None
 
@@ -53,14 +60,37 @@ class Sensitivity:
     largest_error: float
     keys: list[KeyShare] = field(default_factory=list)
 
-    def summary(self):
+    def summary(self) -> dict[str, Any]:
         return asdict(self)
 
 
-def sensitivity(model, wave, quantities, *, samples=300, seed=1, told=None):
-    """A Sensitivity for each quantity: the name of a number of a wave's answer, or a function of the SoilAnswer.
+Array = NDArray[np.float64]
+Quantity = str | Callable[[SoilAnswer], float]
+Told = Callable[[int, int], None] | None
 
-    samples: rows of the design; samples x (2 + keys) soils are answered. told: called with (soils answered, all soils).
+
+def sensitivity(model: SoilModel, wave: Any, quantities: Sequence[Quantity], *, samples: int = 300, seed: int = 1, told: Told = None) -> list[Sensitivity]:
+    """Which key of a soil decides each of some quantities.
+
+    Parameters
+    ----------
+    model : SoilModel
+        Whose box is the range of each key.
+    wave : path, list of paths or (times, {load: values})
+        As of `SoilModel.respond`.
+    quantities : list of str or of functions
+        Names of numbers of a wave's answer, such as "ratio" and "sliding", or functions of a SoilAnswer.
+    samples : int
+        Rows of the design; samples x (2 + keys) soils are answered.
+    seed : int
+        Of the design.
+    told : function, optional
+        Called with how many soils are answered, and how many there are.
+
+    Returns
+    -------
+    list of Sensitivity
+        One for each quantity.
     """
     if samples < LEAST:
         raise UserError(f"{samples} samples give no interval: ask for {LEAST} or more")
@@ -69,11 +99,11 @@ def sensitivity(model, wave, quantities, *, samples=300, seed=1, told=None):
     check_names(own, quantities)
     design = design_of(model.box, samples, seed)
     answers = answered(model, wave, [dict(zip(keys, map(float, row))) for row in design], told)
-    ends = answered(model, wave, [{key: end} for key in keys for end in model.box[key][:2]], None)
+    ends = answered(model, wave, [{key: end} for key in keys for end in (model.box[key].low, model.box[key].high)], None)
     return [judged(quantity, keys, design, own, answers, ends) for quantity in quantities]
 
 
-def check_names(answer, quantities):
+def check_names(answer: SoilAnswer, quantities: Sequence[Quantity]) -> None:
     """Before an hour is spent."""
     for name in (name for name in quantities if isinstance(name, str)):
         if len(answer.waves) != 1:
@@ -84,7 +114,7 @@ def check_names(answer, quantities):
             raise UserError(f"an answer has no number '{name}'; {f'did you mean {near[0]!r}?' if near else ''} it has {', '.join(known)}")
 
 
-def design_of(box, samples, seed):
+def design_of(box: dict[str, Axis], samples: int, seed: int) -> Array:
     """Rows of soils by OpenTURNS: two independent samples, then for each key the first with that key of the second."""
     import openturns as ot
 
@@ -96,8 +126,8 @@ def design_of(box, samples, seed):
     return np.clip(design, low, high)  # exp(ln x) may be beyond x by its last digit
 
 
-def answered(model, wave, soils, told):
-    found = []
+def answered(model: SoilModel, wave: Any, soils: list[dict[str, float]], told: Told) -> list[SoilAnswer | SoilError]:
+    found: list[SoilAnswer | SoilError] = []
     for start in range(0, len(soils), AT_ONCE):
         found += model.respond_all(wave, soils[start : start + AT_ONCE])
         if told:
@@ -105,7 +135,7 @@ def answered(model, wave, soils, told):
     return found
 
 
-def value_of(answer, quantity):
+def value_of(answer: SoilAnswer | SoilError, quantity: Quantity) -> tuple[float, str]:
     """The number, or nan with the reason why there is none."""
     if isinstance(answer, SoilError):
         return np.nan, str(answer)
@@ -116,29 +146,31 @@ def value_of(answer, quantity):
     return float(value), ""
 
 
-def or_none(value):
+def or_none(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def judged(quantity, keys, design, own, answers, ends):
+def judged(quantity: Quantity, keys: list[str], design: Array, own: SoilAnswer, answers: list[SoilAnswer | SoilError],
+           ends: list[SoilAnswer | SoilError]) -> Sensitivity:
     name = quantity if isinstance(quantity, str) else quantity.__name__
-    of_case, why = value_of(own, quantity)
+    of_case, _ = value_of(own, quantity)
     values, whys = zip(*(value_of(answer, quantity) for answer in answers))
     rows = np.reshape(values, (len(keys) + 2, -1))
     kept = np.isfinite(rows).all(axis=0)
-    why = next((text for text in whys if text), None)
+    reason = next((text for text in whys if text), None)
     if kept.sum() < max(LEAST, (1 - MOST_LEFT_OUT) * kept.size):
-        raise UserError(f"'{name}' has no value for {(~kept).sum()} of {kept.size} rows of soils: {why}; give the model a box that has one")
+        raise UserError(f"'{name}' has no value for {(~kept).sum()} of {kept.size} rows of soils: {reason}; give the model a box that has one")
     left = rows[:, kept]
-    found = Sensitivity(name, or_none(of_case), float(left[:2].mean()), float(left[:2].std(ddof=1)), int(np.isfinite(values).sum()),
-                        int((~kept).sum()), why, max(a.error for a in answers if not isinstance(a, SoilError)))
+    mean, deviation = float(left[:2].mean()), float(left[:2].std(ddof=1))
+    found = Sensitivity(name, or_none(of_case), mean, deviation, int(np.isfinite(values).sum()),
+                        int((~kept).sum()), reason, max(a.error for a in answers if not isinstance(a, SoilError)))
     at = [or_none(value_of(answer, quantity)[0]) for answer in ends]
-    shares = indices(design, kept, left) if found.deviation > 1e-9 * abs(found.mean) else [{} for _ in keys]
+    shares = indices(design, kept, left) if deviation > 1e-9 * abs(mean) else [{} for _ in keys]
     found.keys = [KeyShare(key, at_low=at[2 * i], at_high=at[2 * i + 1], **share) for i, (key, share) in enumerate(zip(keys, shares))]
     return found
 
 
-def indices(design, kept, values):
+def indices(design: Array, kept: NDArray[np.bool_], values: Array) -> list[dict[str, Any]]:
     import openturns as ot
 
     blocks = design.reshape(values.shape[0], -1, design.shape[1])[:, kept]

@@ -1,12 +1,21 @@
 """Which soil decides: indices of Sobol, and what each key alone does between the ends of its range."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from .style import plain, styled, subplots
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..sensitivity import Sensitivity
+
 
 @styled
-def sensitivity(found, labels=None, title=""):
+def sensitivity(found: list[Sensitivity], labels: dict[str, str] | None = None, title: str = "") -> Figure:
     """A row for each Sensitivity of `found`: shares of the variance on the left, the range of the quantity on the right; keys
     by their total share, the largest on top. labels: {quantity: axis label}."""
     height = 1.0 + len(found) * (0.7 + 0.24 * max(len(of.keys) for of in found))
@@ -22,7 +31,7 @@ def sensitivity(found, labels=None, title=""):
     return figure
 
 
-def draw_shares(axes, of, keys, place):
+def draw_shares(axes: Any, of: Sensitivity, keys: list[Any], place: Any) -> None:
     axes.set_yticks(place, [share.key.removeprefix("regions.") for share in keys], fontsize=7)
     axes.set_xlabel("share of the variance")
     if keys[0].total is None:
@@ -35,7 +44,7 @@ def draw_shares(axes, of, keys, place):
     axes.set_xlim(min(0.0, min(share.first_interval[0] for share in keys)), None)
 
 
-def draw_range(axes, of, keys, place, label):
+def draw_range(axes: Any, of: Sensitivity, keys: list[Any], place: Any, label: str) -> None:
     axes.set_yticks(place, [""] * len(keys))
     axes.set_xlabel(label)
     for share, at in zip(keys, place):

@@ -115,7 +115,7 @@ def draw_points(axes, table, key, y):
 
 def draw_lines(axes, table, key, others, y):
     x = numbers(table, key)
-    words = sorted(set(table.words(key))) if x is None else None
+    words = sorted(set(table.words(key))) if x is None else []
     x = np.array([words.index(word) for word in table.words(key)]) if x is None else x
     combinations = list(zip(*(table.words(other) for other in others))) or [()] * len(x)
     different = sorted(set(combinations), key=combinations.index)
