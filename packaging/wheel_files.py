@@ -27,17 +27,39 @@ def install(build, target, bundle):
 
 
 def add_libraries(target):
-    """Copies every library that the programs load, and tells them to look there."""
+    """Copies every library that the programs load, and of Open MPI the parts that it opens by itself; upbead.program tells
+    both where they are."""
     folder = target / "lib"
     folder.mkdir(exist_ok=True)
-    programs = [target / "bin" / name for name in PROGRAMS]
-    for name, path in sorted({pair for program in programs for pair in libraries(program)}):
-        shutil.copy(path, folder / name)  # a link becomes the file
-        subprocess.run(["strip", "--strip-unneeded", folder / name], check=False, stderr=subprocess.DEVNULL)
+    found = dict(pair for name in PROGRAMS for pair in libraries(target / "bin" / name))
+    for name, path in sorted(found.items()):
+        copy(path, folder / name)  # a link becomes the file
+    if "libmpi.so.40" in found:
+        add_parts_of_mpi(found, folder / "openmpi")
+
+
+def add_parts_of_mpi(found, prefix):
+    """Those whose libraries are there already: others are for networks, and Open MPI goes on without them."""
+    system = next(folder for folder in found["libmpi.so.40"].resolve().parents if (folder / "openmpi/lib").is_dir())
+    for inside in ("openmpi/lib/openmpi3", "pmix2/lib/pmix"):
+        to = prefix / "lib" / system.name / inside
+        to.mkdir(parents=True)
+        for part in sorted((system / inside).glob("*.so")):
+            if {name for name, _ in libraries(part)} <= set(found) and "not found" not in told_by_ldd(part):
+                copy(part, to / part.name)
+    shutil.copytree("/usr/share/openmpi", prefix / "share/openmpi")  # its messages
+
+
+def copy(path, to):
+    shutil.copy(path, to)
+    subprocess.run(["strip", "--strip-unneeded", to], check=False, stderr=subprocess.DEVNULL)
+
+
+def told_by_ldd(program):
+    return subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
 
 
 def libraries(program):
     """[(name, path)] of what the dynamic linker would load."""
-    told = subprocess.run(["ldd", program], check=True, capture_output=True, text=True).stdout
-    found = [(line.split()[0], Path(line.split()[2])) for line in told.splitlines() if " => /" in line]
+    found = [(line.split()[0], Path(line.split()[2])) for line in told_by_ldd(program).splitlines() if " => /" in line]
     return [(name, path) for name, path in found if not OF_THE_SYSTEM.match(name)]

@@ -54,7 +54,8 @@ def environment(program: str) -> dict[str, str]:
     if Path(program).parent != INSIDE.parent or not libraries.is_dir():
         return dict(os.environ)
     found = os.pathsep.join(filter(None, (str(libraries), os.environ.get("LD_LIBRARY_PATH"))))
-    parts = {"OPAL_PREFIX": str(libraries / "openmpi")} if (libraries / "openmpi").is_dir() else {}
+    mpi = libraries / "openmpi"
+    parts = dict.fromkeys(("OPAL_PREFIX", "PMIX_INSTALL_PREFIX"), str(mpi)) if mpi.is_dir() else {}
     return {**os.environ, "LD_LIBRARY_PATH": found, **parts}
 
 

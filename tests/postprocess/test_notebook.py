@@ -1,4 +1,4 @@
-"""Display of results in a notebook: tables, figures, the interactive page; the notebook of docs, where Jupyter is
+"""Display of results in a notebook: tables, figures, the interactive page; the notebooks of docs, where Jupyter is
 installed.
 
 usage: test_notebook.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER [TEST ...]
@@ -20,6 +20,7 @@ import numpy as np
 
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 NOTEBOOK = SCRIPTS.parent / "docs/notebook.ipynb"
+NOTEBOOKS = sorted(NOTEBOOK.parent.glob("notebook*.ipynb"))
 JUPYTER = all(importlib.util.find_spec(name) for name in ("nbclient", "nbformat", "ipykernel"))
 TITLE = '<b>&"</b><script>alert(1)</script>'
 os.environ["UPBEAD"] = str(PROGRAM)
@@ -176,33 +177,64 @@ class Shown(unittest.TestCase):
             self.assertEqual(browser.problems, [])
 
 
-class Notebook(unittest.TestCase):
-    def test_it_is_small_and_holds_no_outputs(self):
-        cells = json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]
-        self.assertLess(NOTEBOOK.stat().st_size, 10_000)
-        self.assertFalse([cell for cell in cells if cell.get("outputs") or cell.get("execution_count")])
+class Notebooks(unittest.TestCase):
+    def test_they_are_small_and_hold_no_outputs(self):
+        for path in NOTEBOOKS:
+            cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+            self.assertLess(path.stat().st_size, 10_000)
+            self.assertFalse([cell for cell in cells if cell.get("outputs") or cell.get("execution_count")], path)
 
-    @unittest.skipUnless(JUPYTER, "no nbclient, nbformat or ipykernel")
-    def test_it_runs_and_draws_fig_2b(self):
+    def executed(self, path, folder):
+        """(what each cell shows, what all print) of a notebook that runs in a folder with the cases."""
         nbformat, nbclient = (importlib.import_module(name) for name in ("nbformat", "nbclient"))
-        book = nbformat.read(NOTEBOOK, as_version=4)
-        with tempfile.TemporaryDirectory() as folder:
-            os.symlink(CASES, Path(folder) / "cases")
-            os.environ["PYTHONPATH"] = str(SCRIPTS)
-            nbclient.NotebookClient(book, timeout=600, kernel_name="python3", resources={"metadata": {"path": folder}}).execute()
-            summary = json.loads((Path(folder) / "results/notebook/prototype/summary.json").read_text())
+        book = nbformat.read(path, as_version=4)
+        os.symlink(CASES, Path(folder) / "cases")
+        os.environ["PYTHONPATH"] = str(SCRIPTS)
+        nbclient.NotebookClient(book, timeout=600, kernel_name="python3", resources={"metadata": {"path": folder}}).execute()
         nbformat.validate(book)
         outputs = [output for cell in book.cells for output in cell.get("outputs", [])]
-        shown = [output["data"] for output in outputs if "data" in output]
+        return [output["data"] for output in outputs if "data" in output], "".join(output["text"] for output in outputs if "text" in output)
+
+    @unittest.skipUnless(JUPYTER, "no nbclient, nbformat or ipykernel")
+    def test_fig_2b(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shown, printed = self.executed(NOTEBOOK, folder)
+            summary = json.loads((Path(folder) / "results/notebook/prototype/summary.json").read_text())
         self.assertEqual(len(shown), 3)
         self.assertIn("<table", shown[0]["text/html"])
         self.assertLess(len(shown[0]["text/plain"]), 300)
         self.assertIn("image/png", shown[1])  # Fig. 2b itself
         self.assertIn("<iframe ", shown[2]["text/html"])
-        printed = "".join(output["text"] for output in outputs if "text" in output)
         self.assertIn(f"prototype: peak F_T / peak P = {summary['response']['shear_to_force_ratio']:.2f}\n", printed)
         told = re.search(r"0\.15 s: peak F_T / peak P = ([\d.]+)", printed)  # the wave of the case itself
         self.assertAlmostEqual(float(told[1]), summary["response"]["shear_to_force_ratio"], delta=0.006)
+
+    @unittest.skipUnless(JUPYTER and importlib.util.find_spec("pandas"), "no nbclient, nbformat, ipykernel or pandas")
+    def test_stiffness(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shown, printed = self.executed(NOTEBOOK.with_name("notebook-stiffness.ipynb"), folder)
+            study = upbead.open(Path(folder) / "results/notebook/stiffness")
+        self.assertIn("9 runs", shown[0]["text/html"])
+        self.assertIn("<table", shown[1]["text/html"])
+        self.assertTrue(printed.startswith("Pa\n"), printed)
+        told = re.search(r"at G = ([\d.]+) MPa; from ([\d.]+) to ([\d.]+)", printed)
+        self.assertAlmostEqual(float(told[1]), 6.57, delta=0.3)  # the calibrated sand of the case, whose ratio is 0.75
+        ratio = study["response.shear_to_force_ratio"]
+        self.assertEqual([float(told[2]), float(told[3])], [round(ratio.min(), 2), round(ratio.max(), 2)])
+        longer = [[float(x) for x in row.split(",")] for row in re.findall(r"ms: (.*)", printed)]
+        self.assertEqual(len(longer), 3)
+        self.assertTrue(all(soft < stiff for soft, stiff in longer[:2]), longer)  # a short pulse reaches less through soft sand
+
+    @unittest.skipUnless(JUPYTER, "no nbclient, nbformat or ipykernel")
+    def test_calibration(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shown, printed = self.executed(NOTEBOOK.with_name("notebook-calibration.ipynb"), folder)
+            found = upbead.open(Path(folder) / "results/notebook/calibration")
+        self.assertIn("<iframe ", shown[0]["text/html"])
+        self.assertIn("<table", shown[1]["text/html"])
+        self.assertIn("image/png", shown[2])
+        for name, model in found.models.items():
+            self.assertIn(f"{name}: a = {model['recommended']['a']:.2f}, b = {model['recommended']['b']:.2f}", printed)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """A wheel has the whole package and the program, and works in a venv that sees nothing of Debian's but what the package
 says that it needs.
 
-usage: test_wheel.py FOLDER_OF_THE_PROJECT FOLDER_OF_THE_BUILD
+usage: test_wheel.py FOLDER_OF_THE_PROJECT FOLDER_OF_THE_BUILD [at_length]
 """
 
 import configparser
@@ -33,23 +33,39 @@ def call(*command, **variables):
     return done.stdout
 
 
+def source_in(folder):
+    """What a wheel is made of, in a folder of its own."""
+    source = folder / "source"
+    shutil.copytree(PROJECT / "postprocess/upbead", source / "postprocess/upbead", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("pyproject.toml", "setup.py"):
+        shutil.copy(PROJECT / name, source)
+    for name in ("packaging", "docs", "LICENSE"):
+        (source / name).symlink_to(PROJECT / name)
+    return source
+
+
+def made(source, **variables):
+    target = Path(tempfile.mkdtemp(dir=source.parent))
+    call("/usr/bin/pip3", "wheel", source, "--no-build-isolation", "--no-deps", "--no-index", "-w", target, **variables)
+    return next(target.glob("*.whl"))
+
+
 def declared(path):
     return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
-@unittest.skipIf(shutil.which("pip3", path="/usr/bin") is None, "no pip of Debian")
+LONG = sys.argv[3:] == ["at_length"]
+SYSTEM = ("libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libresolv.so.2", "libutil.so.1", "libstdc++.so.6", "libgcc_s.so.1")
+
+
+@unittest.skipIf(LONG or shutil.which("pip3", path="/usr/bin") is None, "at length, or no pip of Debian")
 class Wheel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.source = cls.folder / "source"
-        shutil.copytree(PROJECT / "postprocess/upbead", cls.source / "postprocess/upbead", ignore=shutil.ignore_patterns("__pycache__"))
-        for name in ("pyproject.toml", "setup.py"):
-            shutil.copy(PROJECT / name, cls.source)
-        for name in ("packaging", "docs", "LICENSE"):
-            (cls.source / name).symlink_to(PROJECT / name)
-        cls.wheel = cls.made(UPBEAD_PROGRAM=str(BUILD))
+        cls.source = source_in(cls.folder)
+        cls.wheel = made(cls.source, UPBEAD_PROGRAM=str(BUILD))
         cls.venv = cls.folder / "venv"
         call(PYTHON, "-m", "venv", "--without-pip", cls.venv)
         site = next(cls.venv.glob("lib/python3*/site-packages"))
@@ -57,12 +73,6 @@ class Wheel(unittest.TestCase):
             if (DEBIAN / name).exists():
                 (site / name).symlink_to(DEBIAN / name)
         call("/usr/bin/pip3", "--python", cls.venv / "bin/python", "install", "--no-index", "--no-deps", cls.wheel)
-
-    @classmethod
-    def made(cls, **variables):
-        target = Path(tempfile.mkdtemp(dir=cls.folder))
-        call("/usr/bin/pip3", "wheel", cls.source, "--no-build-isolation", "--no-deps", "--no-index", "-w", target, **variables)
-        return next(target.glob("*.whl"))
 
     def python(self, code):
         return call(self.venv / "bin/python", "-B", "-I", "-c", code)
@@ -75,7 +85,7 @@ class Wheel(unittest.TestCase):
         self.assertRegex(self.wheel.name, r"^upbead-[\d.]+-py3-none-linux_\w+\.whl$")
 
     def test_without_the_program_it_is_for_every_machine(self):
-        wheel = self.made(UPBEAD_PROGRAM="no")
+        wheel = made(self.source, UPBEAD_PROGRAM="no")
         self.assertTrue(wheel.name.endswith("-py3-none-any.whl"), wheel.name)
         self.assertFalse([name for name in zipfile.ZipFile(wheel).namelist() if "/installed/" in name])
         self.assertLess(wheel.stat().st_size, 1e6)
@@ -117,6 +127,32 @@ class Wheel(unittest.TestCase):
         self.assertEqual({line.split()[1].partition(".")[0] for line in done.splitlines()} - {"scipy"}, set(), done)
 
 
+@unittest.skipUnless(LONG and os.geteuid() == 0, "at length, as root: of its libraries 600 MB are copied, and tried below a root of their own")
+class Bundled(unittest.TestCase):
+    def test_it_runs_where_there_is_only_a_c_library(self):
+        """Below a root with the C and the C++ library; what the variables are is asked of the package, in its place there."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder) / "root"
+            for name in ("proc", "dev", "lib64", "lib/x86_64-linux-gnu"):
+                (root / name).mkdir(parents=True)
+            shutil.copy("/lib64/ld-linux-x86-64.so.2", root / "lib64")
+            for name in SYSTEM:
+                shutil.copy(Path("/lib/x86_64-linux-gnu") / name, root / "lib/x86_64-linux-gnu")
+            wheel = made(source_in(Path(folder)), UPBEAD_PROGRAM=str(BUILD), UPBEAD_BUNDLE="yes")
+            call(PYTHON, "-m", "zipfile", "-e", wheel, root)
+            for program in (root / "upbead/installed/bin").iterdir():
+                program.chmod(0o755)
+            code = f"import sys; sys.path.insert(0, {str(root)!r}); from upbead import program as p; print(*map('='.join, p.environment(p.find()).items()), sep='\\n')"
+            told = dict(line.split("=", 1) for line in call(PYTHON, "-B", "-c", code, LD_LIBRARY_PATH="").splitlines() if "=" in line)
+            variables = {key: told[key].replace(str(root), "") for key in ("LD_LIBRARY_PATH", "OPAL_PREFIX", "PMIX_INSTALL_PREFIX")}
+            inside = ("mount -t proc proc proc && mount --bind /dev dev && exec chroot . /upbead/installed/bin/upbead run "
+                      "/upbead/installed/share/upbead/cases/fig2b-model.toml --set mesh.parameters.cells=0.4 --out /out")
+            call("unshare", "-m", "sh", "-c", f"cd {root} && export {' '.join(f'{key}={value}' for key, value in variables.items())} && {inside}")
+            summary = json.loads((root / "out/summary.json").read_text())
+        self.assertAlmostEqual(summary["response"]["shear_to_force_ratio"], 0.75, delta=0.01)
+
+
+@unittest.skipIf(LONG, "at length")
 class Declared(unittest.TestCase):
     def test_both_ways_of_installing_say_the_same(self):
         whole, alone = (declared(PROJECT / path) for path in ("pyproject.toml", "postprocess/pyproject.toml"))
