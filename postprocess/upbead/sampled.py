@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 FIRST = 2000  # intervals to begin with: a pulse of a hundredth of the run has 20 points
 TOLERANCE = 1e-4  # of the largest value: what the table may differ from the function in the middle of an interval
 HALVINGS = 12
+STRAINS = (1e-7, 1e-1)  # of a curve of soil
+PER_DECADE, OF_CURVE = 10, 1e-3  # points to begin with, and what the table may differ from the curve
 
 
 def sampled_function(function: Callable[[Any], Any], end: float) -> NDArray[np.float64]:
@@ -21,7 +23,7 @@ def sampled_function(function: Callable[[Any], Any], end: float) -> NDArray[np.f
     >>> table.shape[1], float(table[0, 1]), float(table[-1, 0])
     (2, 1.0, 2.0)
     """
-    time, rows = refined(lambda times: called(function, times)[:, None], end)
+    time, rows = refined(lambda times: called(function, times)[:, None], steps(end))
     return np.column_stack([time, rows])
 
 
@@ -32,8 +34,26 @@ def sampled_field(function: Callable[[Any, Any], Any], places: ArrayLike, end: f
     def rows_at(times: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.column_stack([called(functools.partial(function, place), times) for place in at])
 
-    time, rows = refined(rows_at, end)
+    time, rows = refined(rows_at, steps(end))
     return np.column_stack([time, rows])
+
+
+def steps(end: float) -> NDArray[np.float64]:
+    return np.linspace(0.0, end, FIRST + 1)
+
+
+def sampled_curve(function: Callable[[Any], Any]) -> list[list[float]]:
+    """Pairs of shear strain and G/G_max, or damping, of a curve of soil: straight over the logarithm of the strain, as the program
+    reads them.
+
+    >>> pairs = sampled_curve(lambda strain: 1 / (1 + strain / 1e-3))
+    >>> pairs[0][0], round(pairs[-1][1], 4)
+    (1e-07, 0.0099)
+    """
+    low, high = np.log10(STRAINS)
+    decades = np.linspace(low, high, int(PER_DECADE * (high - low)) + 1)
+    at, rows = refined(lambda logs: called(function, 10.0**logs)[:, None], decades, OF_CURVE)
+    return [[float(f"{10.0**one:.12g}"), float(value)] for one, value in zip(at, rows[:, 0])]
 
 
 def called(function: Callable[[Any], Any], times: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -47,15 +67,16 @@ def called(function: Callable[[Any], Any], times: NDArray[np.float64]) -> NDArra
     return np.array([float(function(float(t))) for t in times], dtype=float)
 
 
-def refined(rows_at: Callable[[NDArray[np.float64]], NDArray[np.float64]], end: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    time = np.linspace(0.0, end, FIRST + 1)
-    rows = rows_at(time)
-    open_ones = np.arange(FIRST)  # numbers of the intervals that are still looked at
+def refined(rows_at: Callable[[NDArray[np.float64]], NDArray[np.float64]], grid: NDArray[np.float64],
+            tolerance: float = TOLERANCE) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The grid, halved where straight lines miss the function in the middle by more than the tolerance over the largest value."""
+    time, rows = grid, rows_at(grid)
+    open_ones = np.arange(len(grid) - 1)  # numbers of the intervals that are still looked at
     for _ in range(HALVINGS):
         middle = 0.5 * (time[open_ones] + time[open_ones + 1])
         found = rows_at(middle)
         error = np.abs(found - 0.5 * (rows[open_ones] + rows[open_ones + 1])).max(axis=1)
-        wrong = error > TOLERANCE * max(np.abs(rows).max(), np.abs(found).max())
+        wrong = error > tolerance * max(np.abs(rows).max(), np.abs(found).max())
         if not wrong.any():
             break
         after = open_ones[wrong] + 1

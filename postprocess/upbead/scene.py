@@ -63,7 +63,10 @@ class Scene(dict[str, Any]):
         return scene
 
     def region(self, name: str, kind: str, /, **keys: Any) -> Scene:
-        """A region of the mesh, [regions.NAME]: kind "porous", "elastic", "rigid", "water", ...; keys in SI units."""
+        """A region of the mesh, [regions.NAME]: kind "porous", "solid", "rigid", "water"; keys in SI units.
+
+        `strain` may have functions of the shear strain: modulus=f, G/G_max, and damping=f, a ratio, from strains of 1e-7 to 0.1.
+        """
         return self.table("regions", name, kind=kind, **keys)
 
     def boundary(self, name: str, /, **keys: Any) -> Scene:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import UserError
-from .sampled import sampled_field, sampled_function
+from .sampled import sampled_curve, sampled_field, sampled_function
 from .toml import toml_text
 
 Case = Union[str, "PathLike[str]", Mapping[str, Any]]
@@ -58,6 +58,8 @@ def write(case: Mapping[str, Any], folder: Path, stem: str) -> Path:
             plain[key] = [write(one, folder, f"{stem}-case-{n}").name if isinstance(one, Mapping) else absolute(one) for n, one in enumerate(plain[key], 1)]
     if isinstance(plain.get("loads"), Mapping):
         plain["loads"] = {name: with_tables(name, load, case, folder, stem) for name, load in plain["loads"].items()}
+    if isinstance(plain.get("regions"), Mapping):
+        plain["regions"] = {name: with_curves(name, region) for name, region in plain["regions"].items()}
     path.write_text("# written by upbead from Python\n" + toml_text(with_paths(plain, folder)), encoding="utf-8")
     return path
 
@@ -76,6 +78,18 @@ def with_paths(value: Any, folder: Path, key: str = "") -> Any:
 def absolute(path: str | PathLike[str]) -> str:
     found = Path(path)
     return str(found.absolute()) if isinstance(path, PathLike) or found.exists() else str(path)
+
+
+def with_curves(name: str, region: Any) -> Any:
+    """A region whose curves of G/G_max and damping over the shear strain may be functions, with pairs in their place."""
+    strain = region.get("strain") if isinstance(region, Mapping) else None
+    if not isinstance(strain, Mapping):
+        return region
+    found = {key: sampled_curve(value) if callable(value) else value for key, value in strain.items()}
+    for key, pairs in found.items():
+        if callable(strain[key]) and not np.isfinite(pairs).all():
+            raise UserError(f"regions.{name}.strain.{key}: the function has values that are no finite numbers between strains of 1e-7 and 0.1")
+    return {**region, "strain": found}
 
 
 def with_tables(name: str, load: Any, case: Mapping[str, Any], folder: Path, stem: str) -> Any:

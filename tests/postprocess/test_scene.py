@@ -87,6 +87,22 @@ class Solved(unittest.TestCase):
         self.assertAlmostEqual(pressure["shear_force"].max() / force["shear_force"].max(), 1.0, delta=2e-3)
         self.assertAlmostEqual(pressure["force"].max() / peak, 1.0, delta=2e-3)
 
+    def test_curves_of_soil_as_functions(self):
+        """The hyperbola of Hardin and Drnevich, which the program has, too, by its own formula."""
+        case = upbead.Scene.read(MODEL)
+        case["mesh"]["parameters"]["cells"] = 0.4
+        case["regions"]["seabed"]["strain"] = {"reference_strain": 5e-4, "smallest_damping": 0.02, "largest_damping": 0.2}
+        own = case.run(out=self.folder / "formula")
+        ratio = lambda strain: 1 / (1 + strain / 5e-4)  # noqa: E731
+        case["regions"]["seabed"]["strain"] = {"modulus": ratio, "damping": lambda strain: 0.02 + 0.18 * (1 - ratio(strain))}
+        given = case.run(out=self.folder / "functions")
+        peaks = [found.summary["response"]["peak_shear"] for found in (self.result, own, given)]
+        self.assertAlmostEqual(peaks[2] / peaks[1], 1.0, delta=2e-3)
+        self.assertGreater(abs(peaks[0] / peaks[1] - 1.0), 0.01)  # so that the curve matters
+        case["regions"]["seabed"]["strain"]["modulus"] = lambda strain: float("nan")
+        with self.assertRaisesRegex(upbead.UserError, "regions.seabed.strain.modulus: the function"):
+            case.run(out=self.folder / "none")
+
     def test_a_study_of_a_mapping(self):
         table = upbead.study({"title": "Few", "case": upbead.Scene.read(MODEL), "read": ["response.peak_shear"], "set": COARSE,
                               "vary": {"regions.seabed.shear_modulus": {"values": [6.57e6, 9e6]}}}, out=self.folder / "study")
