@@ -51,7 +51,7 @@ class CalibrationResult(Shown, Mapping[str, Any]):
     def __getitem__(self, name: str) -> Any:
         """A column with its unit; that of the models as words."""
         if name not in self.columns:
-            raise UnknownName(f"the calibration has no column '{name}'{hint(name, self.columns)}")
+            raise UnknownName(f"the calibration has no column '{name}'{hint(name, list(self.columns))}")
         values = self.columns[name]
         if values.dtype.kind not in "fiub":
             return np.array([text_of(value) for value in values])

@@ -49,7 +49,7 @@ class ExpectedResult(Shown, Mapping[str, History]):
 
     def __getitem__(self, name: str) -> History:
         if name not in self._over_height:
-            raise UnknownName(f"'{self.folder}' has no '{name}' over the height{hint(name, self._over_height)}")
+            raise UnknownName(f"'{self.folder}' has no '{name}' over the height{hint(name, {one: values.description for one, values in self.items()})}")
         return self._over_height[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -14,6 +14,7 @@ import tomllib
 import unittest
 from pathlib import Path
 
+import h5py
 import numpy as np
 
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
@@ -107,6 +108,11 @@ class Solved(unittest.TestCase):
         table = upbead.study({"title": "Few", "case": upbead.Scene.read(MODEL), "read": ["response.peak_shear"], "set": COARSE,
                               "vary": {"regions.seabed.shear_modulus": {"values": [6.57e6, 9e6]}}}, out=self.folder / "study")
         self.assertEqual(len(table), 2)
+        if HAS["pandas"]:
+            frame = table.to_pandas()
+            self.assertEqual((len(frame), frame.attrs["units"]["response.peak_shear"], frame.attrs["units"]["regions.seabed.shear_modulus"]), (2, "N/m", "Pa"))
+        with self.assertRaisesRegex(upbead.UnknownName, "did you mean response.peak_shear"):
+            table["peak_shear"]
         self.assertAlmostEqual(table["response.peak_shear"][0] / self.result.summary["response"]["peak_shear"], 1.0, delta=1e-9)
         self.assertIn("regions.seabed.shear_modulus", list(table))
 
@@ -200,6 +206,29 @@ class Written(unittest.TestCase):
                 "    try:\n        call()\n    except upbead.MissingPackage as error:\n        print(error)")
         done = subprocess.run(["/usr/bin/python3", "-B", "-c", code], capture_output=True, text=True, check=True)
         self.assertEqual([line.split(":")[1] for line in done.stdout.splitlines()], [" pip install pandas (Debian", " pip install xarray (Debian"])
+
+    @unittest.skipUnless(HAS["xarray"] and HAS["pandas"], "no xarray or pandas")
+    def test_expected_sliding_and_a_calibration_are_mappings_and_tables(self):
+        folders = {name: self.folder / name for name in ("expected", "calibration")}
+        for folder in folders.values():
+            folder.mkdir()
+        (folders["expected"] / "summary.json").write_text('{"title": "E", "expected": {}}')
+        (folders["calibration"] / "summary.json").write_text('{"title": "K", "given": {"a": 0.3, "b": 2}, "models": {"m": {}}}')
+        with h5py.File(folders["expected"] / "results.h5", "w") as file:
+            for name in ("height", "waves", "distance/paper", "contribution/paper"):
+                file[f"heights/{name}"] = np.linspace(0.0, 5.0, 11)
+                file[f"heights/{name}"].attrs["unit"] = "m"
+        with h5py.File(folders["calibration"] / "results.h5", "w") as file:
+            file["model"], file["alpha_star"] = [b"m"] * 3, [0.5, 0.6, 0.7]
+            file["alpha_star"].attrs["unit"] = "1"
+        expected, calibration = (upbead.open(folder) for folder in folders.values())
+        self.assertEqual((set(expected), expected["distance/paper"].unit), ({"height", "waves", "distance/paper", "contribution/paper"}, "m"))
+        self.assertEqual((expected.to_pandas().index.name, expected.to_xarray()["waves"].units), ("height", "m"))
+        self.assertEqual((set(calibration), list(calibration["model"]), calibration["alpha_star"].unit), ({"model", "alpha_star"}, ["m"] * 3, "1"))
+        self.assertEqual((list(calibration.to_pandas()["model"]), calibration.to_xarray()["alpha_star"].units), (["m"] * 3, "1"))
+        for found, name in ((expected, "distance/papre"), (calibration, "alpha")):
+            with self.assertRaisesRegex(upbead.UnknownName, "did you mean"):
+                found[name]
 
     def test_nearest_names(self):
         self.assertEqual(nearest("P", {"force": "P, wave force", "peak": "Peak"}), ["force"])
