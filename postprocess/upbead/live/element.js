@@ -6,8 +6,11 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
-// Text with its symbols set: F_T is F in italics with the subscript T.
+const GREEK = {alpha: "α", beta: "β", eta: "η", lambda: "λ", mu: "μ", tau: "τ"};
+
+// Text with its symbols set: F_T is F in italics with the subscript T, alpha is α.
 export function symbolic(text) {
-  return text.split(/(?<![A-Za-z_])([A-Za-zα-ω]_(?:1\/3|[A-Za-z0-9]+))/).map((part, i) => i % 2 === 0 ? part
+  const set = text.replace(/(?<![A-Za-z0-9_./])(alpha|beta|eta|lambda|mu|tau)(?![A-Za-z])/g, (word) => GREEK[word]);
+  return set.split(/(?<![A-Za-z_])([A-Za-zα-ω]_(?:1\/3|[A-Za-z0-9]+))/).map((part, i) => i % 2 === 0 ? part
     : element("span", {}, element("i", {}, part[0]), element("sub", {}, part.slice(2))));
 }

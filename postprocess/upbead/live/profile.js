@@ -59,11 +59,19 @@ function arrow(x1, y1, x2, y2, colour) {
   return line(x1, y1, x2, y2, `stroke="${colour}" stroke-width="2.4"`) + polygon(tip, `fill="${colour}"`);
 }
 
+// The water on both sides, with the triangle of its level.
+function still({X, Y, front}, {water_depth: h, width: B}, width, colours) {
+  const sea = (from, to) => polygon([[from, Y(0)], [to, Y(0)], [to, Y(-h)], [from, Y(-h)]], `fill="${colours.lines[0]}" fill-opacity="0.08"`) +
+    line(from, Y(0), to, Y(0), `stroke="${colours.lines[0]}" stroke-width="1.2"`);
+  const x = 0.5 * (X(B) + width), y = Y(0), level = polygon([[x, y], [x - 5, y - 8], [x + 5, y - 8]], `fill="none" stroke="${colours.ink}"`) +
+    line(x - 8, y + 3, x + 8, y + 3, `stroke="${colours.ink}"`) + line(x - 4, y + 6, x + 4, y + 6, `stroke="${colours.ink}"`);
+  return sea(0, front) + sea(X(B), width) + level;
+}
+
 function water({Y, front}, {rise, pressure}, own, colours) {
-  const still = line(0, Y(0), front, Y(0), `stroke="${colours.lines[0]}" stroke-width="1.2"`);
   const before = rise === 0 ? "" : line(0, Y(-rise), front, Y(-rise), `stroke="${colours.quiet}" stroke-dasharray="3 4"`) +
     over(4, Y(-rise) + (rise > 0 ? 13 : -4), own, colours, "start");
-  return still + before + line(front - 30, Y(pressure.eta_star), front, Y(pressure.eta_star), `stroke="${colours.quiet}" stroke-dasharray="6 4"`) +
+  return before + line(front - 30, Y(pressure.eta_star), front, Y(pressure.eta_star), `stroke="${colours.quiet}" stroke-dasharray="6 4"`) +
     over(front - 34, Y(pressure.eta_star) + 4, `η* ${plain(pressure.eta_star, 3)} m`, colours);
 }
 
@@ -81,7 +89,7 @@ export function profileDrawing(answer, width, {forFile = false, alt = ""} = {}) 
   const colours = forFile ? {...PAPER, paper: "#fff"} : {...SCREEN, paper: "var(--paper)"}, at = placed(answer, width), {section} = answer, {X, Y} = at;
   const caisson = `<rect x="${tenths(X(0))}" y="${tenths(Y(section.crest))}" width="${tenths(section.width * at.pixel)}" height="${tenths((section.crest + section.foundation_depth) * at.pixel)}" ` +
     `fill="${colours.paper}" stroke="${colours.ink}" stroke-width="1.6"/>`;
-  const inside = ground(at, section, width, colours) + water(at, answer, "level of the section", colours) + caisson + pressures(at, answer, colours) +
+  const inside = still(at, section, width, colours) + ground(at, section, width, colours) + water(at, answer, "level of the section", colours) + caisson + pressures(at, answer, colours) +
     scales(at, width, colours);
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${Math.ceil(at.height)}" role="img" aria-label="${escaped(alt).replace(/"/g, "&quot;")}" ` +
     `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${forFile ? '<rect width="100%" height="100%" fill="#fff"/>' : ""}${inside}</svg>`;
