@@ -21,8 +21,8 @@ from judged_designs import design
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-from report import inputs, kinds, reference, source_case, typeset  # noqa: E402
-from upbead import live, told  # noqa: E402
+from report import inputs, kinds, reference, source_case  # noqa: E402
+from upbead import live, told, typeset  # noqa: E402
 from upbead.opening import open_result  # noqa: E402
 from upbead.results import read_case  # noqa: E402
 
@@ -111,7 +111,7 @@ class Judged(unittest.TestCase):
         if notebook:
             self.stand(wanted, visible(open_result(folder)._repr_html_()), (folder.name, "notebook"))
         if page:
-            self.stand(wanted, visible(live.page(folder, folder / "page.html", program=PROGRAM).read_text(encoding="utf-8")), (folder.name, "page"))
+            self.stand(map(as_set, wanted), visible(live.page(folder, folder / "page.html", program=PROGRAM).read_text(encoding="utf-8")), (folder.name, "page"))
         return len(wanted)
 
     def designs(self, seeds):

@@ -19,7 +19,8 @@ import page_models as made
 from chromium import Browser
 
 import upbead
-from report import pdf, typeset
+from report import pdf
+from upbead import typeset
 from upbead.program import toml_value
 from upbead.told import warning_text
 

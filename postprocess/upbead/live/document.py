@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 
-from .. import told
+from .. import told, typeset
 from ..errors import UserError
 from ..kept import keep_inputs
 from ..results import read_case, read_summary
@@ -109,7 +109,7 @@ def document(model=None, design=None, summaries=()):
     """The page; `summaries` are those of the program for what it was made of: their failing checks and warnings stand
     first."""
     title = html.escape((design or model)["title"] or "Reduced model")
-    judged = "".join(dict.fromkeys(told.listed(summary) for summary in summaries))
+    judged = typeset.page("".join(dict.fromkeys(told.listed(summary) for summary in summaries)))
     before = f'<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>{judged}</section>'
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1
@@ -118,7 +118,7 @@ def document(model=None, design=None, summaries=()):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
         f"<title>{title}: what if</title><style>{read('page.css')}</style><style>{read('whatif.css')}</style></head>\n"
-        f'<body><main><h1>{title}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
+        f'<body><main><h1>{typeset.words(title)}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
     )
 
 

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from . import typeset
 from .language import say, spoken
 from .markup import Markup, data, tag
+from .. import typeset
 
 HERE = Path(__file__).parent
 SCRIPTS = ("clock.js", "plot.js", "raster.js", "deformed.js", "animation.js", "tables.js")

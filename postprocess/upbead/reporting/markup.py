@@ -3,7 +3,7 @@
 import html
 import json
 
-from . import typeset
+from .. import typeset
 
 
 class Markup(str):
