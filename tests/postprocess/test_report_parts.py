@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import re
 import struct
 import sys
 import tempfile
@@ -17,8 +18,9 @@ import numpy as np
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
 
-from report import corners, drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
+from report import corners, document, drawing, geometry, input_tables, inputs, labels, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
 from report import construction, yielding, zones  # noqa: E402
+from upbead import typeset  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
 ONE_CELL = """$MeshFormat
@@ -251,6 +253,59 @@ class Reference(unittest.TestCase):
 def polygon(loop):
     """Signed area, by the shoelace formula."""
     return 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
+
+
+class Typesetting(unittest.TestCase):
+    def test_formulas_of_the_program(self):
+        for written, wanted in (
+            ("mu U against mu W'", "μ U against μ W′"),
+            ("k(alpha*) tau_0F, alpha_I", "k(α*) <i>τ</i><sub>0F</sub>, <i>α</i><sub>I</sub>"),
+            ("h^2/(6 c_v) = 8.51e+04 s &lt;= 1e-08", "h²/(6 <i>c</i><sub>v</sub>) = 8.51 × 10⁴ s ≤ 1 × 10⁻⁸"),
+            ("m x_G'' by sqrt(2 pi)", "m <i>x\u0308</i><sub>G</sub> by √(2 π)"),
+            ("H_1/3 is the paper's", "<i>H</i><sub>1/3</sub> is the paper's"),
+            ("<code>alpha_I</code> sliding.peak_force, alpha_I_negative, 'left', pi.csv", "<code>alpha_I</code> sliding.peak_force, alpha_I_negative, 'left', pi.csv"),
+        ):  # fmt: skip
+            self.assertEqual(typeset.page(written), wanted)
+        self.assertEqual(typeset.page("<svg><text>alpha_I</text></svg>"), "<svg><text>α_I</text></svg>")  # an SVG has no <sub>
+
+    def test_quantities_of_one_table_have_one_prefix(self):
+        shown = lambda *values: re.findall(r">([^<>]*)</data>", markup.table(None, [("a", units.quantity(v, u)) for v, u in values]))  # noqa: E731
+        self.assertEqual(shown((6.98e6, "Pa"), (10.07e6, "Pa")), ["6,980\u00a0kPa", "10,070\u00a0kPa"])
+        self.assertEqual(shown((80e6, "Pa"), (20e3, "Pa"), (3e3, "N/m")), ["80\u00a0MPa", "0.02\u00a0MPa", "3\u00a0kN/m"])
+        self.assertEqual(shown((8.5, "m"), (0.055, "m")), ["8.5\u00a0m", "55\u00a0mm"])  # a height and a displacement
+        self.assertEqual(shown((0.4382, "m"), (1.2, "m")), ["438.2\u00a0mm", "1,200\u00a0mm"])
+
+    def test_a_title_at_the_foot_of_pages_ends_nothing(self):
+        self.assertEqual(document.in_css('a"}</style>é'), '"a\\000022\\00007d\\00003c\\00002fstyle\\00003eé"')
+
+    def test_an_axis_over_decades(self):
+        self.assertEqual([text for _, text in ticks.decades(-2.0, -1.0, 8)], ["0.01", "0.02", "0.05", "0.1"])
+        self.assertEqual([text for _, text in ticks.decades(0.0, 6.0, 8)], ["1", "10", "100", "1,000", "10,000", "100,000", "1,000,000"])
+        self.assertEqual([text for _, text in ticks.decades(0.05, 0.2, 4)], ["1.2", "1.3", "1.4", "1.5"])
+
+
+class Labels(unittest.TestCase):
+    def test_they_cover_neither_each_other_nor_lines(self):
+        """Two names at one place and a line across it: the second and third go where there is room."""
+        places = [(50, 20, "middle"), (50, 40, "middle"), (50, 60, "middle")]
+        three = [labels.Label(name, places) for name in ("one", "two", "three")]
+        labels.place(three, [(0, 40, 100, 40)], [], (0, 0, 100, 100))
+        self.assertEqual([one.at[1] for one in three[:2]], [20, 60])
+        for a, b in zip(three[:1], three[1:2]):
+            self.assertFalse(labels.overlap(a.box, b.box))
+        self.assertTrue(labels.crosses(three[2].box, (0, 40, 100, 40)))  # the least of three evils
+
+    def test_a_box_and_a_line(self):
+        box = (0, 0, 10, 4)
+        for line, wanted in (((-5, 2, 15, 2), True), ((-5, 9, 15, 9), False), ((11, -5, 11, 9), False), ((-2, -2, 2, 2), True), ((3, 1, 4, 2), True)):
+            self.assertEqual(labels.crosses(box, line), wanted, line)
+
+    def test_the_corners_slopes_and_layers_of_an_outline(self):
+        mound = [(-8, 0), (-6, 1), (-4, 2), (0, 2), (3, 2), (6, 0), (0, 0)]
+        self.assertEqual(corners.simple(mound), [(-8, 0), (-4, 2), (3, 2), (6, 0)])
+        self.assertEqual([(slope, way) for _, slope, way in corners.slopes(corners.simple(mound))], [(2.0, -1), (1.5, 1)])
+        section = geometry.Section({"mound": [mound], "sand": [[(-20, -5), (20, -5), (20, 0), (-20, 0)]]})
+        self.assertEqual(corners.column_at(section, 0.5), [-5, 0, 2])
 
 
 class Geometry(unittest.TestCase):
