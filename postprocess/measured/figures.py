@@ -40,7 +40,7 @@ def bars(axes, centre, ends, label):
 
 def of_more(now):
     """E, a first frequency and a pore pressure."""
-    figure = Figure(figsize=(14, 3.6), layout="constrained")
+    figure = Figure(figsize=(14, 4.4), layout="constrained")
     labels = {"E": "E of nine years (m)", "frequency": "first frequency (Hz)", "pore pressure": "|p| / p_0 at the base, 1 % of air"}
     for axes, (name, label) in zip(figure.subplots(1, 3), labels.items(), strict=True):
         values = now["more tornados"][name]
@@ -51,8 +51,8 @@ def of_more(now):
 
 def of_tornado(now):
     """F_T/P and S of the designer's section."""
-    rows = {name: value for name, value in now["tornado"].items() if name}
-    figure = Figure(figsize=(11.5, 6.2), layout="constrained")
+    rows = {name: value for name, value in now["tornado"].items() if name} | now["choices"]
+    figure = Figure(figsize=(11.5, 7.4), layout="constrained")
     panels = figure.subplots(1, 2)
     for axes, number, scale, label in zip(panels, ("response.shear_to_force_ratio", "sliding.sliding_coupled"), (1, 1e3), ("F_T / P", "S as a whole on its ground (mm)"), strict=True):
         centre = scale * now["tornado"][""][number]

@@ -3,7 +3,7 @@
 import json
 import subprocess
 
-from . import beach, column, deep, flume, paper, parapet, peers, tornado, tornado_more
+from . import beach, column, deep, flume, more, paper, parapet, peers, tornado, tornado_more
 from .runs import CASES
 
 STIFFER = 1.06  # rubble that a parapet's weight presses together: G goes with the root of 1.12 times the stress
@@ -50,7 +50,7 @@ def all_of(program, folder, only=None):
         "peers": peers.compared,
         "tornado": tornado.predict,
         "more tornados": tornado_more.all_of,
-    }
+    } | more.STEPS
     found = {}
     for name, step in steps.items():
         if only in (None, name):

@@ -130,4 +130,11 @@ def aster_shear(row):
     return newmark(stiff, mass, damp, force, 0.0008, round(row["time"] / 0.0008), 0 * end)[-1][5]
 
 
+def pylith_terzaghi(row):
+    """Fifty cells of 200 m, quadratic in u; backward Euler, twenty steps of 5e4 s."""
+    column = Column(50, 1e4, 2, 80e9, 1.5e-10, 0.6, 0.1 / 80e9 + 0.5 / 100e9)
+    return column.march(5e4 * np.arange(1, 21), load=-1e4)[-1][2][round(row["at"] / 200)]
+
+
+UNSTORED = {"pylith-terzaghi": pylith_terzaghi}  # whose answers are not in its repository: its scheme on its mesh stands for them
 AGAIN = {"aster-terzaghi": aster_terzaghi, "moose-mandel": moose_mandel, "ogs-ramp": ogs_ramp, "kratos-bar": kratos_bar, "aster-shear": aster_shear}

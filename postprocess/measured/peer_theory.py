@@ -15,6 +15,15 @@ def terzaghi(where, time):
     return float(np.sum(2 * np.sin(a) / a * np.cos(a * where / height) * np.exp(-(a**2) * c * time / height**2)))
 
 
+def compressible(where, time):
+    """p at a height of PyLith's column of 10 km under 10 kPa, grains and water compressible: Terzaghi's series times alpha/(M_d S), Cheng (2016), B.11 to B.16."""
+    oedometric, biot, storage, mobility, height = 80e9, 0.6, 0.1 / 80e9 + (0.6 - 0.1) / 100e9, 1.5e-13 / 0.001, 1e4
+    whole = storage + biot**2 / oedometric
+    a = (np.arange(TERMS) + 0.5) * np.pi
+    series = np.sum(2 * np.sin(a) / a * np.cos(a * where / height) * np.exp(-(a**2) * mobility / whole * time / height**2))
+    return float(1e4 * biot / (oedometric * whole) * series)
+
+
 def mandel_roots(ratio):
     """Roots of tan a = ratio a, one in each ((i - 1/2) pi, (i + 1/2) pi) for ratio > 1 from i = 0 on, by bisection."""
     found = []

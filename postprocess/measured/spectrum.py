@@ -80,3 +80,31 @@ def predict(program, folder):
     }
     found["program"] = {f"{name}, 2 m, {frequency} Hz, 15 to 50 cm": by_program(program, k, s, frequency, folder / "beach") for name, k, s in states(central()) for frequency in FREQUENCIES}
     return found
+
+
+THEIRS = {"saturation": 0.90, "conductivity": 7.6e-4, "depth": 1.8}  # with which their theory meets all four sensors at all frequencies
+WITHIN = 0.10  # relative root-mean-square error of that, as they say
+
+
+def own_decay(depth, period, below):
+    """Share of the variance that waves of this length lose by themselves at a depth below the bed: 1 - exp(-2 k z), w^2 = g k tanh(k h)."""
+    square = (2 * np.pi / period) ** 2 / 9.81
+    k = square
+    for _ in range(200):
+        k = (k + square / np.tanh(k * depth)) / 2
+    return 1 - float(np.exp(-2 * k * below))
+
+
+def against_theirs(program, folder):
+    """Predicted before the storm over their theory with their S and k, and what the waves' own decay explains of the loss in 50 cm."""
+    point = CENTRAL | {"growth": 0.0}
+    soil = soil_of(point, THEIRS["conductivity"], THEIRS["saturation"], THEIRS["depth"])
+    ours, ratios, lags = numbers(central()), [], []
+    for frequency in FREQUENCIES:
+        for place, pair in PLACES.items():
+            theirs, here = passed(soil, frequency, *pair), ours[f"before the storm, 2 m, {frequency} Hz, {place}"]
+            ratios.append(here[0] / theirs[0])
+            lags.append(here[1] / theirs[1])
+    lost = 1 - passed(soil, 0.1, 0.0, 0.5)[0]
+    return {"variance": float(np.mean(ratios)), "lag": float(np.mean(lags)), "own share": own_decay(THEIRS["depth"], 10.0, 0.5) / lost,
+            "lags": [ours[f"before the storm, 2 m, {f} Hz, {p}"][1] for f in FREQUENCIES for p in PLACES]}  # fmt: skip

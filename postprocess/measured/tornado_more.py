@@ -6,7 +6,7 @@ import tomllib
 
 import numpy as np
 
-from . import column, parapet
+from . import choices, column, parapet
 from .column_theory import with_inertia
 from .runs import CASES, side_by_side, toml
 
@@ -21,6 +21,14 @@ LIFE_SPREADS = {  # name: keys, and their values at both ends
     "b of k(alpha*), 1.6 to 2.4": [("duration.b", 1.6, 2.4)],
     "berm in front, 6 to 12 m": [("section.berm_width", 6.0, 12.0)],
     "slope of the bed, 1/200 to 1/50": [("section.bed_slope", 0.005, 0.02)],
+    "P, 0.65 to 1.15 of Goda's": [("section.lambda_1", 0.65, 1.15), ("section.lambda_2", 0.65, 1.15), ("section.lambda_3", 1.0, 1.0)],  # measured: 0.90 with a scatter of 0.25
+    "still water, 1 m lower to 1 m higher": [
+        ("section.water_depth", 21.0, 23.0),
+        ("section.foundation_depth", 12.0, 14.0),
+        ("section.berm_depth", 10.5, 12.5),
+        ("section.crest", 11.0, 9.0),
+        ("section.submerged_weight", 1 + 181.9e3 / 4.115817e6, 1 - 181.9e3 / 4.115817e6),  # rho_w g B times 1 m
+    ],
 }
 FREQUENCY_WORDS = {
     "width": "width, 12 to 22 m, as high over it",
@@ -78,4 +86,5 @@ def of_pore_pressure():
 
 
 def all_of(program, folder):
-    return {"E": of_life(program, folder), "frequency": of_frequency(program, folder), "pore pressure": of_pore_pressure()}
+    frequency, pressure = of_frequency(program, folder) | choices.of_frequency(program, folder), of_pore_pressure() | choices.of_pore_pressure()
+    return {"E": of_life(program, folder), "frequency": frequency, "pore pressure": pressure}
