@@ -25,8 +25,14 @@ def overview(now):
         ("[tsunami of 2011](#breakwaters-in-the-tsunami-of-2011), narrower than 8 m, above 14 m: slid", percent(narrow), "all", f"{narrow:.2f}", "no; nothing fitted"),
         ("the same: below 6 m", percent(low), "not greatly damaged", "", "no; nothing fitted"),
         ("the same: wider than 14 m, above 6 m", percent(wide), "not greatly damaged", "", "no; nothing fitted"),
+        ("[crown walls](#crown-walls): slide by the one-dimensional model over that on ground that answers", f"{one_dimension(now):.2f}, in case W", "about 3", f"{one_dimension(now) / 3:.2f}", "no; another section"),
         ("[forces in nine projects](#forces-over-godas): P", "Goda's", "0.90 of it, scatter 0.25", f"{1 / forces.MEAN:.2f}", "no"),
     ]  # fmt: skip
+
+
+def one_dimension(now):
+    """Slip of a rigid block on rigid ground over that node by node, of case W."""
+    return now["flume"]["formula, triangle, exact"] / now["flume"]["node by node, triangle"]
 
 
 def quay_rows(now):
@@ -54,6 +60,7 @@ def text(now, table):
         "fourteen": f"{heights['14']:.1f}",
         "filled": percent(now["tsunami"]["filled"]),
         "risen": percent(now["tsunami"]["not filled"]),
+        "one": f"{one_dimension(now):.2f}",
         "life": f"{now['forces']['E']:.2f}",
         "less": f"{now['forces']['E, 0.90 of P']:.3f}",
         "lag over theirs": f"{now['spectrum']['lag']:.2f}",
