@@ -62,7 +62,7 @@ def text(now, table):
         "risen": percent(now["tsunami"]["not filled"]),
         "one": f"{one_dimension(now):.2f}",
         "life": f"{now['forces']['E']:.2f}",
-        "less": f"{now['forces']['E, 0.90 of P']:.3f}",
+        "less": f"{now['forces']['E, 0.90 of P']:.2f}",
         "lag over theirs": f"{now['spectrum']['lag']:.2f}",
         "variance over theirs": f"{now['spectrum']['variance']:.2f}",
         "own share": percent(now["spectrum"]["own share"]),
