@@ -1,6 +1,6 @@
 """Savings by every rule that leaves something out (unknowns, solves, seconds), and the change of peak F_T.
 
-    /usr/bin/python3 tests/benchmark/skips.py build/upbead [docs/skipping.md]
+    /usr/bin/python3 tests/benchmark/skips.py build/upbead [docs/reference/measured-skips.md]
 
 Runs each scene with a rule and with it overruled, alternately, and takes medians. Writes the table between the markers
 of the page, or prints it. Seconds are those of compiling, factorising and marching, not of starting the program.

@@ -62,7 +62,7 @@ class Reference(unittest.TestCase):
         (self.docs / "reference/study.md").write_text("# The study file\n")
         done = script("reference.py", PROGRAM, self.docs, "--check")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("below which the keys are printed", done.stderr)
+        self.assertIn("below which the program's own text is printed", done.stderr)
 
 
 class Gallery(unittest.TestCase):
