@@ -14,6 +14,8 @@
 #include "model/exclusions.h"
 #include "model/words.h"
 #include "response/shear_response.h"
+#include "run/derived.h"
+#include "run/sliding/slip_ahead.h"
 #include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "system/interface.h"
@@ -131,7 +133,10 @@ Simulation simulation_for_waves(const Case& input, const Simulation& simulation)
   for (const Exclusion& reason : excluded(input.scene, Treatment::reduce_command))
     throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
   Progress progress("soil and strain");
-  return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, shown_by(progress))); });
+  return in_places_of(input, [&] {
+    const Simulation as_reduced = bonded(with_converged_soil(simulation, shown_by(progress)));
+    return may_slip(as_reduced) ? with_room(as_reduced) : as_reduced;  // slip is reduced in the same basis
+  });
 }
 
 /// What the model of a case leaves out, in the words of a run.

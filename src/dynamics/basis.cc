@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dynamics/slip_basis.h"
 #include "dynamics/state_space.h"
 
 namespace upbead {
@@ -97,6 +98,10 @@ bool GrowingBasis::serves(const ReduceOptions& options) const {
          vectors_at_first(options) == first_;
 }
 
+bool GrowingBasis::is_about(double shift, const std::vector<int>& exact) const {
+  return !broken_ && shift == krylov_.shift() && exact == exact_ && kept_.empty();
+}
+
 void GrowingBasis::grow(const std::function<void(int)>& progress) {
   const int target = made_.empty() ? first_ * n_independent_loads() : made_.back().look.next;
   Look look;
@@ -123,6 +128,11 @@ const Look& GrowingBasis::look(std::size_t number, const std::function<void(int)
   return made_[number].look;
 }
 
+const Look& GrowingBasis::reach(int n_vectors, const std::function<void(int)>& progress) {
+  for (std::size_t number = 0;; ++number)
+    if (const Look& made = look(number, progress); made.n_vectors >= n_vectors || made.exhausted) return made;
+}
+
 const Modes& GrowingBasis::modes(std::size_t number, Kept kept) {
   Made& made = made_.at(number);
   std::optional<Modes>& modes = made.modes[static_cast<std::size_t>(kept)];
@@ -143,8 +153,17 @@ FieldBasis GrowingBasis::phi(const Look& look) const {
 
 std::shared_ptr<GrowingBasis> BasisRoom::basis(const System& system, const ReduceOptions& options) {
   if (basis_ && basis_->serves(options)) return basis_;
+  slip_.reset();
   basis_.reset();  // before the new one takes its memory
   return basis_ = std::make_shared<GrowingBasis>(system, options);
+}
+
+std::shared_ptr<GrowingBasis> BasisRoom::basis_about(double shift, const std::vector<int>& exact) const {
+  return basis_ && basis_->is_about(shift, exact) ? basis_ : nullptr;
+}
+
+void BasisRoom::keep(const std::shared_ptr<SlipBasis>& slip) {
+  if (slip && slip->bonded() == basis_) slip_ = slip;
 }
 
 }  // namespace upbead

@@ -10,6 +10,7 @@
 namespace upbead {
 
 class GrowingBasis;
+class Looks;
 struct Look;
 
 /// The work of reduce(), one look at a time. The System is read by the constructor alone.
@@ -17,6 +18,8 @@ class GrowingModel {
  public:
   /// Throws as reduce() does; so does grow().
   GrowingModel(const System& system, const ReduceOptions& options, BasisRoom* room = nullptr);
+  /// By looks whose models options.model makes. Of the options only those count that a basis serves alike.
+  GrowingModel(std::shared_ptr<Looks> looks, const ReduceOptions& options);
   ~GrowingModel();
 
   /// Makes the vectors of the first look, which need no training: most of the work where these are enough.
@@ -38,7 +41,8 @@ class GrowingModel {
   void compare_looks(const ModalModel& model, const ModalModel& kept, const std::vector<Eigen::MatrixXd>& now);
 
   ReduceOptions options_;
-  std::shared_ptr<GrowingBasis> basis_;
+  std::shared_ptr<Looks> looks_;
+  std::shared_ptr<GrowingBasis> basis_;  ///< the same, where the models are its modes
   Reduction out_;
   std::vector<SampledLoads> loads_;
   std::vector<Eigen::MatrixXd> before_;  ///< responses at the last look

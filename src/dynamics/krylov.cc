@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
+#include "dynamics/slip_row.h"
 #include "effective_matrix.h"
 #include "orthogonalise.h"
 #include "products.h"
@@ -15,6 +17,26 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
+
+namespace detail {
+
+/// Spaces on two threads may have the same matrices, one at a time.
+struct KrylovMatrices {
+  KrylovMatrices(const System& system, double shift, const SparseMatrix& at_shift)
+      : products(2. * shift * shift * system.M + shift * system.C, shift * shift * system.M), T(system, at_shift) {}
+
+  SymmetricPair products;  ///< with s_0 (2 s_0 M + C), and with s_0^2 M
+  EffectiveMatrix T;
+  std::mutex turn;
+};
+
+/// Columns of the slip in its unit: of T(s_0), and of both matrices of the products.
+struct SlipColumns {
+  Vector of_T;
+  Row of_x, of_previous;
+};
+
+}  // namespace detail
 
 namespace {
 
@@ -76,8 +98,6 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
                                      const std::vector<Vector>& kept)
     : n_unknowns_(system.size()), shift_(shift) {
   if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
-  products_ = std::make_unique<detail::SymmetricPair>(2. * shift * shift * system.M + shift * system.C,
-                                                      shift * shift * system.M);
   const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
   FieldBases bases = exact_bases(system, T, exact);
   u_ = std::move(bases.displacements);
@@ -85,16 +105,53 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
   n_coordinates_ = static_cast<int>(u_.n() + phi_.n());
   for (const Vector& direction : kept) take(direction);
   const Stopwatch watch;
-  T_ = std::make_unique<detail::EffectiveMatrix>(system, T);
+  matrices_ = std::make_shared<detail::KrylovMatrices>(system, shift, T);
   factorise_seconds_ = watch.seconds();
   start(system);
+}
+
+SecondOrderKrylov::SecondOrderKrylov(const SecondOrderKrylov& of, const SlipRow& slip)
+    : n_unknowns_(of.n_unknowns_),
+      shift_(of.shift_),
+      matrices_(of.matrices_),
+      slip_(std::make_unique<detail::SlipColumns>()),
+      n_coordinates_(1) {
+  constexpr int room = 64;
+  for (const auto& [basis, like] : {std::pair{&u_, &of.u_}, {&phi_, &of.phi_}}) {
+    basis->unknown = like->unknown;
+    basis->unit = like->unit;
+    basis->layout = like->layout;
+    basis->vectors.resize(basis->unit.size(), room);
+  }
+  const double unit = slip.unit_about(shift_);
+  slip_->of_T = Vector::Zero(n_unknowns_);
+  const auto add = [&](const Row& row, double of_T, double of_x, double of_previous) {
+    for (const auto& [i, value] : row) {
+      slip_->of_T[i] += of_T * unit * value;
+      if (of_x != 0.) slip_->of_x.emplace_back(i, of_x * unit * value);
+      if (of_previous != 0.) slip_->of_previous.emplace_back(i, of_previous * unit * value);
+    }
+  };
+  const double square = shift_ * shift_;
+  add(slip.M, square, 2. * square, square);
+  add(slip.C, shift_, shift_, 0.);
+  add(slip.K, 1., 0., 0.);
+  start_slip();
 }
 
 SecondOrderKrylov::~SecondOrderKrylov() = default;
 
 void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {
-  T_->solve(rhs, x);
+  const std::lock_guard<std::mutex> lock(matrices_->turn);
+  matrices_->T.solve(rhs, x);
   ++n_solves_;
+}
+
+void SecondOrderKrylov::start_slip() {
+  Vector rhs = -slip_->of_T, x = Vector::Zero(n_unknowns_);
+  solve(rhs, x);
+  append(take(x, 1.), Vector());
+  n_starts_ = n_vectors_;
 }
 
 void SecondOrderKrylov::start(const System& system) {
@@ -133,11 +190,12 @@ void SecondOrderKrylov::take(FieldBasis& basis, const Vector& x, double least, V
   coordinates[n_coordinates_ - 1] = rest;
 }
 
-Vector SecondOrderKrylov::take(const Vector& x) {
-  double square = 0.;
+Vector SecondOrderKrylov::take(const Vector& x, double slip) {
+  double square = slip * slip;
   for (const FieldBasis* basis : {&u_, &phi_})
     square += basis->layout.square(Vector(x(basis->unknown)).cwiseQuotient(basis->unit));
   Vector coordinates = Vector::Zero(n_coordinates_);
+  if (slip_) coordinates[0] = slip;
   for (FieldBasis* basis : {&u_, &phi_}) take(*basis, x, round_off * std::sqrt(square), coordinates);
   return coordinates;
 }
@@ -169,7 +227,21 @@ bool SecondOrderKrylov::append(const Vector& x, const Eigen::Ref<const Vector>& 
   for (Eigen::MatrixXd* part : {&x_, &previous_}) part->conservativeResize(R, n_vectors_);
   x_.rightCols(1) = pair.head(R);
   previous_.rightCols(1) = pair.tail(R);
+  n_directions_.push_back({u_.n(), phi_.n()});
   return true;
+}
+
+Vector SecondOrderKrylov::next(const Vector& of_x, const Vector& of_previous) {
+  Vector rhs = Vector::Zero(n_unknowns_);
+  const Vector x = vector_of(of_x), previous = vector_of(of_previous);
+  {
+    const std::lock_guard<std::mutex> lock(matrices_->turn);
+    matrices_->products.subtract_products(x, previous, rhs);
+  }
+  if (!slip_) return rhs;
+  for (const auto& [i, value] : slip_->of_x) rhs[i] -= value * of_x[0];
+  for (const auto& [i, value] : slip_->of_previous) rhs[i] -= value * of_previous[0];
+  return rhs;
 }
 
 bool SecondOrderKrylov::extend() {
@@ -178,8 +250,7 @@ bool SecondOrderKrylov::extend() {
     check_interrupt();
     const Vector of_x = x_.col(n_expanded_), of_previous = previous_.col(n_expanded_);
     ++n_expanded_;
-    Vector rhs = Vector::Zero(n_unknowns_);
-    products_->subtract_products(vector_of(of_x), vector_of(of_previous), rhs);
+    Vector rhs = next(of_x, of_previous);
     x.setZero();
     solve(rhs, x);
     if (append(take(x), of_x)) return true;

@@ -1,6 +1,7 @@
 #include "dynamics/projection.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "algebra/dense.h"
 
@@ -81,24 +82,40 @@ Projection::Projection(const System& system, const SecondOrderKrylov& krylov)
     : Projection(system, krylov.displacements(), krylov.phi(), krylov.shift()) {}
 
 Projection::Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift)
-    : u_(make_group(system, displacements)),
-      phi_(make_group(system, phi)),
-      position_(row_matrix(system.readings, &Reading::position, system.size())),
-      velocity_(row_matrix(system.readings, &Reading::velocity, system.size())),
-      acceleration_(row_matrix(system.readings, &Reading::acceleration, system.size())),
+    : matrices_(std::make_shared<const Matrices>(matrices_of(system, displacements, phi))),
+      u_{displacements, matrices_->u, 0},
+      phi_{phi, matrices_->phi, 0},
       reduced_(without_coordinates(system, shift)) {
   u_.basis.layout.add_up(reduced_.feedthrough);
-  const auto coupling = [&](const SparseMatrix& A) -> SparseMatrix {
-    return phi_.basis.unit.asDiagonal() * block(A, phi_.basis.unknown, u_.basis.unknown) * u_.basis.unit.asDiagonal();
-  };
-  C_phiu_ = coupling(system.C);
-  for (const SystemLoad& load : system.loads) loads_.push_back(load.vector);
-  if (coupling(system.M).nonZeros() + coupling(system.K).nonZeros() > 0)
-    throw std::logic_error("M or K couples phi with displacements: they cannot be projected apart");
   extend();
 }
 
-Projection::Group Projection::make_group(const System& system, const FieldBasis& basis) {
+Projection::Projection(const Projection& of, ReducedSystem reduced, const FieldBasis& displacements,
+                       const FieldBasis& phi)
+    : matrices_(of.matrices_),
+      u_{displacements, matrices_->u, displacements.n()},
+      phi_{phi, matrices_->phi, phi.n()},
+      reduced_(std::move(reduced)) {}
+
+Projection::Matrices Projection::matrices_of(const System& system, const FieldBasis& displacements,
+                                             const FieldBasis& phi) {
+  const auto coupling = [&](const SparseMatrix& A) -> SparseMatrix {
+    return phi.unit.asDiagonal() * block(A, phi.unknown, displacements.unknown) * displacements.unit.asDiagonal();
+  };
+  Matrices out{blocks_of(system, displacements),
+               blocks_of(system, phi),
+               coupling(system.C),
+               row_matrix(system.readings, &Reading::position, system.size()),
+               row_matrix(system.readings, &Reading::velocity, system.size()),
+               row_matrix(system.readings, &Reading::acceleration, system.size()),
+               {}};
+  for (const SystemLoad& load : system.loads) out.loads.push_back(load.vector);
+  if (coupling(system.M).nonZeros() + coupling(system.K).nonZeros() > 0)
+    throw std::logic_error("M or K couples phi with displacements: they cannot be projected apart");
+  return out;
+}
+
+Projection::Blocks Projection::blocks_of(const System& system, const FieldBasis& basis) {
   std::vector<int> rows, unknown;
   for (std::size_t i = 0; i < basis.unknown.size(); ++i)
     if (const int u = basis.unknown[i]; has_row(system.M, u) || has_row(system.C, u) || has_row(system.K, u)) {
@@ -109,11 +126,11 @@ Projection::Group Projection::make_group(const System& system, const FieldBasis&
   const auto scaled = [&](const SparseMatrix& A) -> SparseMatrix {
     return unit.asDiagonal() * block(A, unknown, unknown) * unit.asDiagonal();
   };
-  return {basis, rows, scaled(system.M), scaled(system.C), scaled(system.K), 0};
+  return {rows, scaled(system.M), scaled(system.C), scaled(system.K)};
 }
 
 Eigen::MatrixXd Projection::columns_of(const Group& group, Eigen::Index first) {
-  return group.basis.vectors(group.rows, Eigen::seq(first, group.basis.n() - 1));
+  return group.basis.vectors(group.blocks.rows, Eigen::seq(first, group.basis.n() - 1));
 }
 
 void Projection::extend() {
@@ -149,9 +166,9 @@ void Projection::project(Group& group) {
         reduced(row, column) = reduced(column, row) = gram(i, j);
       }
   };
-  fill(group.M, reduced_.M);
-  fill(group.C, reduced_.C);
-  fill(group.K, reduced_.K);
+  fill(group.blocks.M, reduced_.M);
+  fill(group.blocks.C, reduced_.C);
+  fill(group.blocks.K, reduced_.K);
   project_rows(group);
   project_loads(group);
   group.n_projected = group.basis.n();
@@ -159,7 +176,7 @@ void Projection::project(Group& group) {
 
 /// Entries of C between phi and u for new directions: new u with all phi, then new phi with old u.
 void Projection::project_coupling() {
-  if (u_.basis.layout.is_alone() && C_phiu_.nonZeros() == 0) return;
+  if (u_.basis.layout.is_alone() && matrices_->C_phiu.nonZeros() == 0) return;
   const auto fill = [&](Eigen::MatrixXd gram, Eigen::Index first_phi, Eigen::Index first_u) {
     u_.basis.layout.add_up(gram);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
@@ -170,14 +187,14 @@ void Projection::project_coupling() {
       }
   };
   const Columns new_u = u_.basis.columns_from(u_.n_projected), new_phi = phi_.basis.columns_from(phi_.n_projected);
-  fill(gram_of(phi_.basis.columns(), C_phiu_ * new_u), 0, u_.n_projected);
-  const Columns of_new_phi = C_phiu_.transpose() * new_phi;
+  fill(gram_of(phi_.basis.columns(), matrices_->C_phiu * new_u), 0, u_.n_projected);
+  const Columns of_new_phi = matrices_->C_phiu.transpose() * new_phi;
   fill(gram_of(u_.basis.vectors.leftCols(u_.n_projected), of_new_phi).transpose(), phi_.n_projected, 0);
 }
 
 void Projection::project_rows(const Group& group) {
   const FieldBasis& basis = group.basis;
-  std::vector<int> local(static_cast<std::size_t>(position_.cols()), -1);
+  std::vector<int> local(static_cast<std::size_t>(matrices_->position.cols()), -1);
   for (std::size_t i = 0; i < basis.unknown.size(); ++i) local[basis.unknown[i]] = static_cast<int>(i);
   const Eigen::Index first = group.n_projected, n = basis.n() - first;
   const auto project = [&](const SparseMatrix& rows, Eigen::MatrixXd& reduced) {
@@ -190,17 +207,17 @@ void Projection::project_rows(const Group& group) {
     basis.layout.add_up(added);
     for (Eigen::Index c = 0; c < n; ++c) reduced.col(basis.coordinate[first + c]) = added.col(c);
   };
-  project(position_, reduced_.position);
-  project(velocity_, reduced_.velocity);
-  project(acceleration_, reduced_.acceleration);
+  project(matrices_->position, reduced_.position);
+  project(matrices_->velocity, reduced_.velocity);
+  project(matrices_->acceleration, reduced_.acceleration);
 }
 
 void Projection::project_loads(const Group& group) {
   const FieldBasis& basis = group.basis;
   const Eigen::Index first = group.n_projected, n = basis.n() - first;
-  for (std::size_t k = 0; k < loads_.size(); ++k) {
-    if (loads_[k].size() == 0) continue;
-    const Vector scaled = basis.unit.cwiseProduct(loads_[k](basis.unknown));
+  for (std::size_t k = 0; k < matrices_->loads.size(); ++k) {
+    if (matrices_->loads[k].size() == 0) continue;
+    const Vector scaled = basis.unit.cwiseProduct(matrices_->loads[k](basis.unknown));
     Vector added(n);
     for (Eigen::Index c = 0; c < n; ++c) added[c] = scaled.dot(basis.vectors.col(first + c));
     basis.layout.add_up(added);

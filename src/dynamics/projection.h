@@ -1,6 +1,7 @@
 // Galerkin projection of a System on a Krylov space, displacements and phi apart.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "upbead/dynamics/krylov.h"
@@ -18,20 +19,33 @@ class Projection {
   Projection(const System& system, const SecondOrderKrylov& krylov);
   /// Projects on bases of any space, whose coordinates are numbered across both; `shift`: ReducedSystem::shift.
   Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift);
+  /// The same System as `of` projects, on bases whose directions so far are the first ones of the bases of `of`:
+  /// `reduced` is what it is in these.
+  Projection(const Projection& of, ReducedSystem reduced, const FieldBasis& displacements, const FieldBasis& phi);
   /// Adds the coordinates that have come to the space since.
   void extend();
   const ReducedSystem& reduced() const { return reduced_; }
 
  private:
   /// The diagonal blocks of the matrices that belong to one basis, in its units.
+  struct Blocks {
+    std::vector<int> rows;  ///< of the basis, on which the matrices are not zero
+    SparseMatrix M, C, K;   ///< on these rows
+  };
+  struct Matrices {
+    Blocks u, phi;
+    SparseMatrix C_phiu;                            ///< rows of phi, columns of u and W
+    SparseMatrix position, velocity, acceleration;  ///< readings x unknowns
+    std::vector<Vector> loads;                      ///< by unknown; empty of a load that is zero
+  };
   struct Group {
     const FieldBasis& basis;
-    std::vector<int> rows;     ///< of the basis, on which the matrices are not zero
-    SparseMatrix M, C, K;      ///< on these rows
+    const Blocks& blocks;
     Eigen::Index n_projected;  ///< columns of the basis
   };
 
-  static Group make_group(const System& system, const FieldBasis& basis);
+  static Blocks blocks_of(const System& system, const FieldBasis& basis);
+  static Matrices matrices_of(const System& system, const FieldBasis& displacements, const FieldBasis& phi);
   /// The basis on the rows of the group, from a column on.
   static Eigen::MatrixXd columns_of(const Group& group, Eigen::Index first);
   void resize();
@@ -40,10 +54,8 @@ class Projection {
   void project_rows(const Group& group);
   void project_loads(const Group& group);
 
+  std::shared_ptr<const Matrices> matrices_;
   Group u_, phi_;
-  SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W
-  SparseMatrix position_, velocity_, acceleration_;  ///< readings x unknowns
-  std::vector<Vector> loads_;                        ///< by unknown; empty of a load that is zero
   ReducedSystem reduced_;
 };
 

@@ -126,15 +126,20 @@ NestedError compare(const ReduceOptions& options, const std::vector<Eigen::Matri
 }  // namespace
 
 GrowingModel::GrowingModel(const System& system, const ReduceOptions& options, BasisRoom* room)
-    : options_(options),
-      basis_(room != nullptr ? room->basis(system, options) : std::make_shared<GrowingBasis>(system, options)),
-      loads_(trainings(options.training, options.each_load)) {
+    : GrowingModel(std::static_pointer_cast<Looks>(room != nullptr ? room->basis(system, options)
+                                                                   : std::make_shared<GrowingBasis>(system, options)),
+                   options) {
+  basis_ = std::static_pointer_cast<GrowingBasis>(looks_);
+}
+
+GrowingModel::GrowingModel(std::shared_ptr<Looks> looks, const ReduceOptions& options)
+    : options_(options), looks_(std::move(looks)), loads_(trainings(options.training, options.each_load)) {
   out_.tolerance = options.tolerance;
   out_.tolerance_of_others = options.tolerance_of_others;
   out_.measured = options.measured;
-  out_.n_independent_loads = basis_->n_independent_loads();
-  out_.n_spared = basis_->has_looks() ? basis_->n_solves() : 0;
-  out_.factorise_seconds = out_.n_spared > 0 ? 0. : basis_->factorise_seconds();
+  out_.n_independent_loads = looks_->n_independent_loads();
+  out_.n_spared = looks_->has_looks() ? looks_->n_solves() : 0;
+  out_.factorise_seconds = out_.n_spared > 0 ? 0. : looks_->factorise_seconds();
 }
 
 GrowingModel::~GrowingModel() = default;
@@ -156,7 +161,7 @@ void GrowingModel::compare_looks(const ModalModel& model, const ModalModel& kept
 
 const Look& GrowingModel::look_at(std::size_t number) {
   const double usual = usual_vectors * out_.n_independent_loads;
-  return basis_->look(number, [&](int n_vectors) {
+  return looks_->look(number, [&](int n_vectors) {
     if (options_.progress) options_.progress(std::min(0.95, n_vectors / usual));
   });
 }
@@ -182,7 +187,7 @@ bool GrowingModel::grow() {
   std::vector<Eigen::MatrixXd> now = responses(modes.model, loads_);
   compare_looks(modes.model, modes.kept, now);
   const bool converged = look_->exhausted || (!out_.history.empty() && meets(out_.error, options_));
-  out_.converged = basis_->layout().largest(converged ? 1. : 0.) > 0.;  // none goes on without the others
+  out_.converged = looks_->layout().largest(converged ? 1. : 0.) > 0.;  // none goes on without the others
   out_.model = std::move(modes.model);
   kept_ = std::move(modes.kept);
   before_ = std::move(now);

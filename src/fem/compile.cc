@@ -91,4 +91,39 @@ AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::v
   return {space, unknowns, std::make_shared<const CompiledScene>(with_courses(std::move(compiled), scene))};
 }
 
+namespace {
+
+/// Cells with a degree of freedom that moves with a slip or an opening, and their neighbours, of which wet faces are.
+std::vector<bool> cells_at_interface(const Space& space, const Unknowns& unknowns) {
+  const int first = unknowns.size() - unknowns.n_interface();
+  const auto moves = [&](dealii::types::global_dof_index dof) {
+    const Row& row = unknowns.expansion(dof);
+    return std::any_of(row.begin(), row.end(), [first](const auto& entry) { return entry.first >= first; });
+  };
+  std::vector<bool> at(space.mesh().triangulation.n_active_cells(), false);
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    const Dofs dofs = dofs_of(cell);
+    at[cell->active_cell_index()] = std::any_of(dofs.begin(), dofs.end(), moves);
+  }
+  std::vector<bool> with_neighbours = at;
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      if (cell->at_boundary(f) || !cell->neighbor(f)->is_active()) continue;
+      const unsigned i = cell->active_cell_index(), j = cell->neighbor(f)->active_cell_index();
+      if (at[i]) with_neighbours[j] = true;
+      if (at[j]) with_neighbours[i] = true;
+    }
+  return with_neighbours;
+}
+
+}  // namespace
+
+CompiledScene compile_bottom(const Scene& scene, const Space& space) {
+  const Scene part = as_scene(system_scene(scene));
+  const std::vector<Body> bodies = rigid_bodies(space);
+  const std::vector<InterfaceNode> nodes = interface_nodes(space);
+  const Unknowns unknowns(space, part, bodies, nodes);
+  return compile(part, space, unknowns, bodies, {cells_at_interface(space, unknowns), false}, nodes);
+}
+
 }  // namespace upbead

@@ -49,4 +49,9 @@ struct AssembledScene {
 AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
                               const SoilState& soil, bool with_interface, const Processes* processes = nullptr);
 
+/// The scene of that space with its interface, made of the cells at the caisson's bottom alone: the rows of slips and
+/// openings are whole, and so are readings; other rows hold what these cells add. Its free unknowns are those of the
+/// scene without an interface, whose System has all that is missing here.
+CompiledScene compile_bottom(const Scene& scene, const Space& space);
+
 }  // namespace upbead

@@ -47,6 +47,8 @@ class Unknowns {
   /// The same, but at the nodes of an interface with the displacements of the caisson instead of the ground's.
   Vector expand_caisson(const Vector& x) const;
   bool has_interface() const { return n_interface_ > 0; }
+  /// Number of slips and openings.
+  int n_interface() const { return 2 * n_interface_; }
   /// Adds weight * (value of a degree of freedom) to a row over the unknowns, given as a map.
   void add_to(std::map<int, double>& row, dealii::types::global_dof_index dof, double weight) const;
 

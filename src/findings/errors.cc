@@ -111,7 +111,7 @@ std::optional<SlipErrors> compare_reduced(const Evidence& e, const CellsCompared
   const CellsCompared::Reduced& bonded = *cells->reduced;
   SlipErrors errors;
   if (const auto& coupled = e.of(find_slip_as_whole).coupled) {
-    const std::optional<SlipCompared> whole = compare_slip(simulation, bonded.own);
+    const std::optional<SlipCompared> whole = compare_slip(simulation, *cells);
     if (!whole) return std::nullopt;
     errors.as_whole = slip_error(coupled->slip.residual, {whole->coarse, whole->finer, whole->own}, by_forces);
   }

@@ -19,12 +19,9 @@ constexpr double cut_off = 0.7;
 /// their number.
 constexpr int most_vectors = 60;
 
-/// The problem without its training.
-SlipProblem untrained_problem(const Scene& scene, SlipSystem slips, UpliftKind uplift) {
-  SlipProblem problem{std::move(slips.system), {}};
-  ReduceOptions& options = problem.options;
+ReduceOptions untrained_options(const Scene& scene, UpliftKind uplift) {
+  ReduceOptions options;
   options.shift = krylov_shift(scene);
-  options.exact = std::move(slips.exact);
   options.measured = {0, 1, 2, 3};
   options.tolerance = scene.tolerance;
   options.max_vectors = most_vectors;
@@ -32,7 +29,7 @@ SlipProblem untrained_problem(const Scene& scene, SlipSystem slips, UpliftKind u
   options.model = [uplift](const ReducedSystem& reduced) {
     return stuck_and_free(reduced, slip_law(reduced, 1., uplift));
   };
-  return problem;
+  return options;
 }
 
 Eigen::RowVectorXd shear_of(const Series& bonded, const CompiledScene& compiled) {
@@ -62,22 +59,29 @@ SlipSystem slip_system(const CompiledScene& compiled) {
   return out;
 }
 
-SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
-  SlipProblem problem = untrained_problem(scene, slip_system(compiled), uplift);
-  problem.options.training = training(scene, compiled, bonded);
-  return problem;
+ReduceOptions slip_options(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
+  ReduceOptions options = untrained_options(scene, uplift);
+  options.training = training(scene, compiled, bonded);
+  return options;
 }
 
-SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift)
-    : SlipSpace(scene, compiled, slip_system(compiled), uplift) {}
-
-SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, SlipSystem slips, UpliftKind uplift)
-    : scene_(scene),
-      compiled_(compiled),
-      problem_(untrained_problem(scene, std::move(slips), uplift)),
-      model_(problem_.system, problem_.options) {
-  model_.prepare();
+std::shared_ptr<SlipBasis> slip_basis(const Scene& scene, const CompiledScene& compiled, const SlipSystem& slips,
+                                      std::shared_ptr<GrowingBasis> bonded) {
+  if (!bonded) {
+    ReduceOptions options;
+    options.shift = krylov_shift(scene);
+    options.exact = compiled.body_coordinates;
+    bonded = std::make_shared<GrowingBasis>(compiled.system, options);
+  }
+  return std::make_shared<SlipBasis>(std::move(bonded), slip_row(slips.system));
 }
+
+SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift,
+                     std::shared_ptr<SlipBasis> basis)
+    : scene_(scene), compiled_(compiled), basis_(std::move(basis)), model_(basis_, untrained_options(scene, uplift)) {}
+
+SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, const SlipSystem& slips, UpliftKind uplift)
+    : SlipSpace(scene, compiled, uplift, slip_basis(scene, compiled, slips)) {}
 
 SlipReduction SlipSpace::reduce(const Series& bonded, const std::function<void(double)>& progress) {
   model_.train(training(scene_, compiled_, bonded), progress);
@@ -85,8 +89,9 @@ SlipReduction SlipSpace::reduce(const Series& bonded, const std::function<void(d
   }
   Reduction reduction = model_.finish();
   const Eigen::RowVectorXd shear = shear_of(bonded, compiled_);
-  const Eigen::RowVectorXd stuck =
-      respond(reduction.model, sample(load_histories(problem_.system), bonded.time)).reading.row(0);
+  std::vector<TimeFunction> histories = load_histories(compiled_.system);
+  histories.emplace_back();  // no F_T beyond what holds the caisson
+  const Eigen::RowVectorXd stuck = respond(reduction.model, sample(histories, bonded.time)).reading.row(0);
   const double bonded_error = (stuck - shear).cwiseAbs().maxCoeff() / shear.cwiseAbs().maxCoeff();
   return {std::move(reduction.system), reduction.error,     bonded_error,
           reduction.converged,         reduction.n_vectors, reduction.n_solves,
@@ -95,7 +100,10 @@ SlipReduction SlipSpace::reduce(const Series& bonded, const std::function<void(d
 
 SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
                           const std::function<void(double)>& progress) {
-  return SlipSpace(scene, compiled, uplift).reduce(bonded, progress);
+  const SlipSystem slips = slip_system(compiled);
+  CompiledScene glued = compiled;
+  glued.system = upbead::bonded(compiled.system);
+  return SlipSpace(scene, glued, slips, uplift).reduce(bonded, progress);
 }
 
 }  // namespace upbead

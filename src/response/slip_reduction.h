@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "dynamics/growing_model.h"
+#include "dynamics/slip_basis.h"
 #include "fem/compile.h"
 #include "response/slip_law.h"
 #include "upbead/dynamics/reduce.h"
@@ -23,7 +25,7 @@ struct SlipReduction {
 };
 
 /// The system of a scene whose caisson slips as a whole, with_rigid_slip() and add_slip(), and the unknowns that are
-/// kept exactly, s the last of them.
+/// kept exactly, s the last of them. Beside the bonded scene only its row of s counts, see slip_row().
 struct SlipSystem {
   System system;
   std::vector<int> exact;
@@ -31,27 +33,30 @@ struct SlipSystem {
 /// Of a scene compiled with its interface. Throws std::invalid_argument where there is none.
 SlipSystem slip_system(const CompiledScene& compiled);
 
-/// The system of a scene with an interface, and how it is reduced.
-struct SlipProblem {
-  System system;  ///< as SlipReduction::system
-  ReduceOptions options;
-};
-SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded);
+/// How a scene that slips is reduced, with the training of reduce_slip(); the basis is given.
+ReduceOptions slip_options(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded);
+
+/// The bonded basis of a scene, and the slip beside it, for all that slides on that scene. `bonded`: of the basis that
+/// the scene was reduced in, about krylov_shift() with the body's coordinates exact; null: one is made now.
+std::shared_ptr<SlipBasis> slip_basis(const Scene& scene, const CompiledScene& compiled, const SlipSystem& slips,
+                                      std::shared_ptr<GrowingBasis> bonded = nullptr);
 
 /// The space of such a reduction: the part that needs no bonded history, and may be made before there is one.
 class SlipSpace {
  public:
-  /// Scene and compiled scene must outlive the object. Throws as reduce_slip() does.
-  SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift);
-  /// The same of a system that is given; `compiled`: with its loads and readings, bonded or not.
-  SlipSpace(const Scene& scene, const CompiledScene& compiled, SlipSystem slips, UpliftKind uplift);
+  /// `compiled`: the bonded scene. Scene and compiled scene must outlive the object. Throws as reduce_slip() does.
+  SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, std::shared_ptr<SlipBasis> basis);
+  SlipSpace(const Scene& scene, const CompiledScene& compiled, const SlipSystem& slips, UpliftKind uplift);
+  /// See SlipBasis::prepare().
+  void prepare() { basis_->prepare(); }
+  const std::shared_ptr<SlipBasis>& basis() const { return basis_; }
   /// See reduce_slip(). To be called once.
   SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress);
 
  private:
   const Scene& scene_;
   const CompiledScene& compiled_;
-  SlipProblem problem_;
+  std::shared_ptr<SlipBasis> basis_;
   GrowingModel model_;
 };
 

@@ -17,6 +17,7 @@ struct SoilMember {
   double error = 0.;                      ///< estimated, of held_readings() over their peaks, by the basis
   std::shared_ptr<const FieldBasis> phi;  ///< see of_bonded_members()
   std::optional<SlipSystem> slip;  ///< with a caisson that slips as a whole; none: the scene itself is assembled for it
+  std::shared_ptr<BasisRoom> room = nullptr;  ///< for the basis of `compiled`
 };
 
 }  // namespace upbead

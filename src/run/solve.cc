@@ -132,7 +132,7 @@ Reduction reduced(const Simulation& simulation, SlipAhead* ahead, const Reductio
                   const std::function<void(double)>& progress) {
   const MeshLeft left{ahead};
   if (const SoilMember* member = simulation.member().get())
-    return reduce_scene(simulation.scene(), member->compiled, targets, progress);
+    return reduce_scene(simulation.scene(), member->compiled, targets, progress, member->room.get());
   return reduce_scene(simulation.scene(), *simulation.compiled(), targets, progress, simulation.room().get());
 }
 
@@ -227,7 +227,8 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   }
 }
 
-Solution run_bonded(const Simulation& simulation, const Marching& marching) {
+Solution run_bonded(const Simulation& given, const Marching& marching) {
+  const Simulation simulation = may_slip(given) ? with_room(given) : given;
   const SchemeChoice choice = simulation.member()
                                   ? SchemeChoice{TimeScheme::reduced, "one model answers all soils", most_of_member}
                                   : choose_scheme(simulation.scene(), *simulation.compiled());

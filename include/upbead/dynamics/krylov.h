@@ -1,6 +1,7 @@
 // Directions in which a system answers its loads: moments of its response about one real frequency.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -9,9 +10,11 @@
 
 namespace upbead {
 
+struct SlipRow;
+
 namespace detail {
-class EffectiveMatrix;
-class SymmetricPair;
+struct KrylovMatrices;
+struct SlipColumns;
 }  // namespace detail
 
 /// Orthonormal directions of one kind of unknowns: of u with W, or of phi. In a divided system each process holds them
@@ -54,6 +57,14 @@ class SecondOrderKrylov {
   /// singular or nothing loads the system, std::invalid_argument where the shift is not positive.
   SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact = {},
                     const std::vector<Vector>& kept = {});
+  /// The space of one unknown more, its slip: the other unknowns answer its unit motion,
+  ///
+  ///     T(s_0) r_0 = -t(s_0),    t(s) = s^2 M_slip + s C_slip + K_slip, the slip's column,
+  ///
+  /// and r_j as above. Matrices, factors and units are those of `of`, which another thread may extend meanwhile; none
+  /// is factorised. Directions are those of the unknowns of `of`; the slip itself is coordinate 0, in a unit of its
+  /// own.
+  SecondOrderKrylov(const SecondOrderKrylov& of, const SlipRow& slip);
   ~SecondOrderKrylov();
 
   /// Adds a vector; false where the space is exhausted.
@@ -64,6 +75,10 @@ class SecondOrderKrylov {
   double shift() const { return shift_; }
   int n_vectors() const { return n_vectors_; }
   int n_coordinates() const { return n_coordinates_; }
+  /// How many directions, of displacements and of phi, the first n vectors span, with those that are kept; n >= 1.
+  const std::array<Eigen::Index, 2>& n_directions(int n) const {
+    return n_directions_[static_cast<std::size_t>(n - 1)];
+  }
   /// Number of linearly independent loads.
   int n_independent_loads() const { return n_starts_; }
   int n_solves() const { return n_solves_; }
@@ -72,22 +87,26 @@ class SecondOrderKrylov {
 
  private:
   void start(const System& system);
-  /// Coordinates of x in both bases; first adds to the bases the part of x that they do not span.
-  Vector take(const Vector& x);
+  void start_slip();
+  /// Coordinates of x in both bases, and of a slip; first adds to the bases the part of x that they do not span.
+  Vector take(const Vector& x, double slip = 0.);
   void take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates);
   Vector vector_of(const Eigen::Ref<const Vector>& coordinates) const;
   /// Appends a pair, given by the coordinates of both vectors, unless it lies in the span of the pairs so far.
   bool append(const Vector& x, const Eigen::Ref<const Vector>& previous);
   void solve(Vector& rhs, Vector& x);
+  /// The vector after that of these coordinates, before it is solved for.
+  Vector next(const Vector& of_x, const Vector& of_previous);
 
   int n_unknowns_;
   double shift_;
   double factorise_seconds_ = 0.;
-  std::unique_ptr<detail::SymmetricPair> products_;  ///< with s_0 (2 s_0 M + C), and with s_0^2 M
-  std::unique_ptr<detail::EffectiveMatrix> T_;
+  std::shared_ptr<detail::KrylovMatrices> matrices_;
+  std::unique_ptr<detail::SlipColumns> slip_;  ///< of the space of a slip
   FieldBasis u_, phi_;
   Eigen::MatrixXd x_, previous_;  ///< coordinates of the orthonormal pairs, by column
   int n_vectors_ = 0, n_coordinates_ = 0, n_starts_ = 0, n_expanded_ = 0, n_solves_ = 0;
+  std::vector<std::array<Eigen::Index, 2>> n_directions_;  ///< by vector
 };
 
 }  // namespace upbead

@@ -42,6 +42,8 @@ struct CellsCompared {
 
   ShearError error;                ///< a bound, see with_margin()
   std::optional<Reduced> reduced;  ///< none where both meshes were marched
+  /// Cells half as large, with room that holds the basis of F_T; only where slip can be asked of the scene.
+  std::shared_ptr<const Simulation> finer;
 };
 
 /// The error that the cells cause in F_T: the difference to F_T on cells half as large, times a factor measured in
@@ -57,7 +59,7 @@ struct SlipCompared {
   double coarse = 0., finer = 0., own = 0.;
 };
 
-/// As compare_cells() does by reduced models; `bonded`: response without slip. None where the models do not give S.
-std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded);
+/// As compare_cells() does by reduced models, beside those of `cells`, which has them. None where they do not give S.
+std::optional<SlipCompared> compare_slip(const Simulation& simulation, const CellsCompared& cells);
 
 }  // namespace upbead

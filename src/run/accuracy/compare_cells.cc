@@ -9,6 +9,7 @@
 #include "run/accuracy/side_by_side.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
+#include "run/sliding/slip_ahead.h"
 #include "run/solve.h"
 #include "upbead/base/error.h"
 
@@ -60,7 +61,8 @@ Answers bonded_answers(const Simulation& simulation, const Response& response) {
 }
 
 /// Results by reduced models; none where the models do not converge.
-std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simulation, const CompiledScene& finer) {
+std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simulation, const Simulation& on_finer) {
+  const CompiledScene& finer = *on_finer.compiled();
   const Scene scene = compared(simulation);
   ReductionTargets targets;
   targets.only_shear = true;
@@ -74,7 +76,7 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
                      simulation.room().get());
     CellsCompared::Reduced compared;
     {
-      GrowingModel better(finer.system, reduce_options(scene, finer, targets));
+      GrowingModel better(finer.system, reduce_options(scene, finer, targets), on_finer.room().get());
       if (!grow_side_by_side(own, better, read, share_of_difference * scene.tolerance)) return std::nullopt;
       compared.coarse = response(own);
       compared.finer = response(better);
@@ -126,12 +128,14 @@ ShearError with_margin(const ShearError& moved) {
 }
 
 CellsCompared compare_cells(const Simulation& simulation) {
-  const std::shared_ptr<const CompiledScene> finer = with_halved_cells(simulation).compiled();
+  const bool slips = may_slip(simulation) && !simulation.system().interface;
+  const Simulation finer = slips ? with_room(with_halved_cells(simulation)) : with_halved_cells(simulation);
   CellsCompared out;
-  out.reduced = by_reduced_models(simulation, *finer);
+  out.reduced = by_reduced_models(simulation, finer);
+  if (out.reduced && slips) out.finer = std::make_shared<const Simulation>(finer);
   const auto shear = [&](const Response& response) { return shear_history(*simulation.compiled(), response); };
   out.error = with_margin(out.reduced ? difference(shear(out.reduced->coarse), shear(out.reduced->finer))
-                                      : by_march(simulation, *finer));
+                                      : by_march(simulation, *finer.compiled()));
   return out;
 }
 

@@ -88,32 +88,30 @@ double slip_of(const Scene& scene, const ReducedSystem& system, const SampledLoa
   return slid.slip.residual;
 }
 
-SlipProblem problem_on(const Scene& scene, const Simulation& on, const Series& bonded) {
-  const AssembledScene sliding = assemble_scene(on.scene(), *on.mesh(), on.absent(), on.soil_state(), true);
-  return slip_problem(scene, *sliding.compiled, slip_uplift(*scene.sliding), bonded);
-}
-
-SlipProblem finer_problem(const Scene& scene, const Simulation& simulation, const Series& bonded) {
-  const Simulation finer = with_halved_cells(simulation, true);
-  return slip_problem(scene, *finer.compiled(), slip_uplift(*scene.sliding), bonded);
+/// Cells half as large, with the basis of F_T on them where it was kept.
+Simulation finer_than(const Simulation& simulation, const CellsCompared& cells) {
+  return cells.finer ? *cells.finer : with_halved_cells(simulation, false);
 }
 
 }  // namespace
 
-std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded) {
+std::optional<SlipCompared> compare_slip(const Simulation& simulation, const CellsCompared& cells) {
   constexpr double enough = 0.1;  // of the tolerance
+  const Series& bonded = cells.reduced->own.ends;
   Scene scene = simulation.scene();
   scene.tolerance = whole_tolerance(simulation);
   const SampledLoads loads = loads_of_slip(scene, *simulation.compiled());
   const auto slip = [&](const GrowingModel& model) { return slip_of(scene, model.system(), loads); };
   const auto read = [&](const GrowingModel& model) -> Answers { return {Eigen::VectorXd::Constant(1, slip(model))}; };
+  const auto options = [&](const Simulation& on) {
+    return slip_options(scene, *on.compiled(), slip_uplift(*scene.sliding), bonded);
+  };
   try {
-    const SlipProblem problem = problem_on(scene, simulation, bonded.ends);
-    GrowingModel own(problem.system, problem.options);
+    GrowingModel own(basis_for_slip(simulation), options(simulation));
     SlipCompared compared;
     {
-      const SlipProblem finer = finer_problem(scene, simulation, bonded.ends);
-      GrowingModel better(finer.system, finer.options);
+      const Simulation finer = finer_than(simulation, cells);
+      GrowingModel better(basis_for_slip(finer), options(finer));
       const auto found = grow_side_by_side(own, better, read, enough * scene.tolerance);
       if (!found) return std::nullopt;
       compared.coarse = found->coarse[0][0];

@@ -3,16 +3,29 @@
 #include <algorithm>
 
 #include "base/cores.h"
+#include "dynamics/basis.h"
 #include "fem/caisson/bottom.h"
+#include "response/reduction.h"
 #include "response/shear_response.h"
 #include "run/soil_member.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
-AssembledScene with_interface(const Simulation& simulation) {
-  return assemble_scene(simulation.scene(), *simulation.mesh(), simulation.absent(), simulation.soil_state(), true);
+const CompiledScene& bonded_scene(const Simulation& simulation) {
+  return simulation.member() ? simulation.member()->compiled : *simulation.compiled();
+}
+
+/// What of the scene tells the row of its slip.
+SlipSystem slip_of(const Simulation& simulation) {
+  if (simulation.member() && simulation.member()->slip) return *simulation.member()->slip;
+  return slip_system(compile_bottom(simulation.scene(), *simulation.space()));
+}
+
+std::shared_ptr<BasisRoom> room_of(const Simulation& simulation) {
+  return simulation.member() ? simulation.member()->room : simulation.room();
 }
 
 /// The largest horizontal force over the friction by the caisson's weight.
@@ -31,8 +44,8 @@ struct KeptPromise {
 };
 
 bool is_worth_it(const Simulation& simulation) {
-  return !simulation.member() && has_spare_core() && simulation.scene().sliding && simulation.compiled()->caisson &&
-         why_no_slip(simulation).empty() && demand(simulation) > 1.;
+  return simulation.room() && !simulation.room()->slip() && !simulation.member() && has_spare_core() &&
+         may_slip(simulation) && demand(simulation) > 1.;
 }
 
 }  // namespace
@@ -58,24 +71,36 @@ UpliftKind slip_uplift(const SlidingChoice& choice) {
   return computed ? UpliftKind::computed : UpliftKind::prescribed;
 }
 
-SlidingSpace::SlidingSpace(const Simulation& simulation, AssembledScene assembled)
-    : assembled_(std::move(assembled)),
-      space_(simulation.scene(), *assembled_.compiled, slip_uplift(*simulation.scene().sliding)) {}
-
-SlipAhead::SlipAhead(std::shared_ptr<const Simulation> simulation)
-    : simulation_(std::move(simulation)), left_mesh_(assembled_.get_future().share()) {
-  space_ = std::async(std::launch::async, [this] {
-    AssembledScene assembled = [&] {
-      const KeptPromise left{assembled_};
-      return with_interface(*simulation_);
-    }();
-    return std::make_unique<SlidingSpace>(*simulation_, std::move(assembled));
-  });
+bool may_slip(const Simulation& simulation) {
+  return simulation.scene().sliding && simulation.compiled()->caisson && why_no_slip(simulation).empty();
 }
 
-SlidingSpace::SlidingSpace(const Simulation& simulation)
-    : space_(simulation.scene(), simulation.member()->compiled, *simulation.member()->slip,
-             slip_uplift(*simulation.scene().sliding)) {}
+std::shared_ptr<SlipBasis> basis_for_slip(const Simulation& simulation) {
+  const CompiledScene& compiled = bonded_scene(simulation);
+  const std::shared_ptr<BasisRoom> room = room_of(simulation);
+  std::shared_ptr<GrowingBasis> bonded =
+      room ? room->basis_about(krylov_shift(simulation.scene()), compiled.body_coordinates) : nullptr;
+  if (bonded && room->slip()) return room->slip();
+  return slip_basis(simulation.scene(), compiled, slip_of(simulation), std::move(bonded));
+}
+
+SlidingSpace::SlidingSpace(const Simulation& simulation, std::shared_ptr<SlipBasis> basis)
+    : space_(simulation.scene(), bonded_scene(simulation), slip_uplift(*simulation.scene().sliding), std::move(basis)) {
+}
+
+SlipAhead::SlipAhead(std::shared_ptr<const Simulation> simulation, std::shared_ptr<GrowingBasis> bonded)
+    : simulation_(std::move(simulation)), left_mesh_(assembled_.get_future().share()) {
+  space_ = std::async(std::launch::async, [this, bonded] {
+    const SlipSystem slips = [&] {
+      const KeptPromise left{assembled_};
+      return slip_of(*simulation_);
+    }();
+    const auto basis = slip_basis(simulation_->scene(), bonded_scene(*simulation_), slips, bonded);
+    auto space = std::make_unique<SlidingSpace>(*simulation_, basis);
+    space->prepare();
+    return space;
+  });
+}
 
 std::unique_ptr<SlidingSpace> SlipAhead::space_for(const Simulation& simulation) {
   const bool fits =
@@ -85,14 +110,21 @@ std::unique_ptr<SlidingSpace> SlipAhead::space_for(const Simulation& simulation)
 
 std::shared_ptr<SlipAhead> slip_ahead(const Simulation& simulation) {
   if (!is_worth_it(simulation)) return nullptr;
-  return std::make_shared<SlipAhead>(std::make_shared<const Simulation>(simulation));
+  const CompiledScene& compiled = *simulation.compiled();
+  try {
+    return std::make_shared<SlipAhead>(
+        std::make_shared<const Simulation>(simulation),
+        simulation.room()->basis(compiled.system, reduce_options(simulation.scene(), compiled, {})));
+  } catch (const NumericsError&) {
+    return nullptr;  // whoever reduces the scene is told so
+  }
 }
 
 std::unique_ptr<SlidingSpace> sliding_space(const Simulation& simulation, SlipAhead* begun) {
-  if (begun != nullptr)
-    if (auto space = begun->space_for(simulation)) return space;
-  if (simulation.member() && simulation.member()->slip) return std::make_unique<SlidingSpace>(simulation);
-  return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
+  std::unique_ptr<SlidingSpace> space = begun != nullptr ? begun->space_for(simulation) : nullptr;
+  if (!space) space = std::make_unique<SlidingSpace>(simulation, basis_for_slip(simulation));
+  if (const auto room = room_of(simulation)) room->keep(space->basis());
+  return space;
 }
 
 }  // namespace upbead

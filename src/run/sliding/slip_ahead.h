@@ -17,25 +17,32 @@ std::string why_no_slip(const Simulation& simulation);
 /// The kind of uplift that N' must be reduced by, from [sliding].
 UpliftKind slip_uplift(const SlidingChoice& choice);
 
-/// A scene with its interface, and the space for its reduction. The simulation's scene must outlive it.
+/// Whether slip as a whole can be asked of a scene, so that the basis in which it is reduced is worth keeping.
+bool may_slip(const Simulation& simulation);
+
+/// What slip adds to the basis of the bonded scene: both from the simulation's room, where they are there.
+std::shared_ptr<SlipBasis> basis_for_slip(const Simulation& simulation);
+
+/// The space for the reduction of a scene that slips, beside the basis in which the bonded scene is reduced. The
+/// simulation's scene must outlive it.
 class SlidingSpace {
  public:
-  SlidingSpace(const Simulation& simulation, AssembledScene assembled);
-  /// Of a member of a family of soils that has a system for it.
-  explicit SlidingSpace(const Simulation& simulation);
+  SlidingSpace(const Simulation& simulation, std::shared_ptr<SlipBasis> basis);
+  void prepare() { space_.prepare(); }
+  const std::shared_ptr<SlipBasis>& basis() const { return space_.basis(); }
   SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress) {
     return space_.reduce(bonded, progress);
   }
 
  private:
-  AssembledScene assembled_;
   SlipSpace space_;
 };
 
 /// Makes a SlidingSpace on another core while the bonded caisson is solved.
 class SlipAhead {
  public:
-  explicit SlipAhead(std::shared_ptr<const Simulation> simulation);
+  /// `bonded`: the basis in which the bonded caisson is solved meanwhile.
+  SlipAhead(std::shared_ptr<const Simulation> simulation, std::shared_ptr<GrowingBasis> bonded);
   SlipAhead(const SlipAhead&) = delete;
   SlipAhead& operator=(const SlipAhead&) = delete;
 
@@ -54,10 +61,11 @@ class SlipAhead {
 };
 
 /// Begins where another core is free and the loads exceed the friction: then a bonded caisson most likely reaches its
-/// friction, and the space will be asked for. Else null.
+/// friction, and the space will be asked for. Else null. The simulation has room for a basis, which is made here.
 std::shared_ptr<SlipAhead> slip_ahead(const Simulation& simulation);
 
-/// The space of that scene: what was begun, which may be null, or made now; both are the same.
+/// The space of that scene: what was begun, which may be null, or made now; both are the same. Where the simulation has
+/// room, the bonded basis is taken from there, and what slip adds to it is left there.
 std::unique_ptr<SlidingSpace> sliding_space(const Simulation& simulation, SlipAhead* begun);
 
 /// At the end of its scope no other thread reads the mesh.
