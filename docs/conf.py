@@ -71,7 +71,7 @@ def names_in(row, section, page):
     if page == "docs/glossary":
         return [name for name in first.astext().replace("\u2019", "'").split(", ") if name]
     literals = list(first.findall(nodes.literal))
-    where = section.strip("[]")
+    where = section[1:-1] if section.startswith("[") else section
     at_top = page.endswith("warnings") or where == "top of the file" or where.startswith("summary.json")
     return ["" if at_top and not literals else ".".join(filter(None, ["" if at_top else where, text.astext()])) for text in literals[:1]]
 
