@@ -8,7 +8,7 @@ import numpy as np
 from .lumped_slip import Caisson, slip
 from .runs import CASES, design, interval, run, side_by_side
 
-CASE = CASES / "flume/flume.toml"
+CASE, ON_SPRINGS = CASES / "flume/flume.toml", CASES / "flume/springs.toml"
 SPREADS = {
     "factor": (0.75, 1.15, "linear"),  # of P and U
     "friction": (0.47, 0.53, "linear"),
@@ -53,12 +53,12 @@ def lumped_caisson(friction=0.5):
     return Caisson(mass, mass * (height**2 / 3 + width**2 / 12), height / 2, 1147.8, friction, SPRINGS, DASHPOTS, water, 0.4 * 0.15)
 
 
-def lumped(folder, wave, friction=0.5):
-    """The lumped model under P and U of a run of the program in `folder`."""
+def lumped(folder, wave, friction=0.5, turns=True):
+    """The lumped model under P and U of a run of the program in `folder`; whether U turns the caisson, too."""
     with h5py.File(Path(folder) / "results.h5") as file:
         time, force = file["history/time"][:], file["history/force"][:]
     uplift = held(force, wave["peak_uplift"])
-    moment = uplift * 0.30 / 6  # of a triangle, about the middle: it lifts the seaward edge
+    moment = turns * uplift * 0.30 / 6  # of a triangle, about the middle: it lifts the seaward edge
     caisson = lumped_caisson(friction)
     _, slips = slip(caisson, time, force, wave["force_moment"] / wave["force"], uplift, moment)
     return float(slips[-1])
@@ -78,8 +78,19 @@ def ways(program, folder):
     church = as_a_whole(program, {"loads.waves.wave.course": "church_roof"}, folder / "church")
     found["as a whole, church roof"] = church["sliding"]["sliding_coupled"]
     found["lumped, springs given, church roof"] = lumped(folder / "church", wave)
+    found["lumped, springs given, triangle, U on friction alone"] = lumped(folder / "whole", wave, turns=False)
+    found |= on_springs(program, folder)
     no_impact = as_a_whole(program, {"loads.waves.wave.course": "sine", "loads.waves.factor": standing_share(wave)}, folder / "sine")
     found["as a whole, sine, Goda's P without alpha_I"] = no_impact["sliding"]["sliding_coupled"]
+    return found
+
+
+def on_springs(program, folder):
+    """The same published model as a case of the program: water as finite elements, slip with the caisson's own reduced model."""
+    found = {}
+    for course in ("triangle", "church roof"):
+        summary = run(program, ON_SPRINGS, {"loads.waves.wave.course": course.replace(" ", "_")}, folder / f"springs, {course}")
+        found[f"as a case, springs given, {course}"] = summary["sliding"]["sliding_coupled"]
     return found
 
 

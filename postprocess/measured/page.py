@@ -70,7 +70,7 @@ def ranks(prediction):
 
 def of_flume(said, now):
     ways, today = said["flume"]["ways"], now["flume"]
-    return table(("way", "predicted (mm)", "today (mm)"), [(name, f"{1e3 * value:.2f}", f"{1e3 * today[name]:.2f}") for name, value in ways.items()])
+    return table(("way", "predicted (mm)", "today (mm)"), [(name, f"{1e3 * ways[name]:.2f}" if name in ways else "", f"{1e3 * value:.2f}") for name, value in today.items()])
 
 
 def of_beach(now):
@@ -98,6 +98,9 @@ def fill(text, said, now):
         "inertia": f"{max(row['inertia'] for row in now['column'].values()):.1e}",
         "error": f"{100 * max(row['error'] for row in now['column'].values()):.2g}",
         "flume": "\n".join(of_flume(said, now)),
+        "on springs": f"{1e3 * now['flume']['as a case, springs given, triangle']:.1f}",
+        "no turning": f"{1e3 * now['flume']['lumped, springs given, triangle, U on friction alone']:.1f}",
+        "by script": f"{1e3 * now['flume']['lumped, springs given, triangle']:.1f}",
         "beach": "\n".join(of_beach(now)),
         "paper": "\n".join(table(("said", "computed", "agrees", "why"), paper.rows(n))),
         "peers": "\n".join(table(("problem", "program", "its cells and steps", "program - exact", "its scheme here - program", "upbead - exact", "upbead - program"), peers.summary(now["peers"]))),

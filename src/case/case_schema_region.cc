@@ -104,6 +104,28 @@ TableSchema<ContactLaw> contact_schema() {
   return table;
 }
 
+TableSchema<BaseSupport> springs_schema() {
+  TableSchema<BaseSupport> table;
+  table
+      .key("horizontal", &BaseSupport::horizontal, "Pa", "force per displacement and per metre of breakwater, landward",
+           above(0.))
+      .required();
+  table.key("vertical", &BaseSupport::vertical, "Pa", "the same upward", above(0.)).required();
+  table.key("rotation", &BaseSupport::rotation, "N", "moment per angle (rad) and per metre of breakwater", above(0.))
+      .required();
+  return table;
+}
+
+TableSchema<BaseSupport> dashpots_schema() {
+  TableSchema<BaseSupport> table;
+  table.key("horizontal", &BaseSupport::horizontal, "Pa s", "force per velocity and per metre of breakwater, landward",
+            at_least(0.));
+  table.key("vertical", &BaseSupport::vertical, "Pa s", "the same upward", at_least(0.));
+  table.key("rotation", &BaseSupport::rotation, "N s", "moment per angular velocity and per metre of breakwater",
+            at_least(0.));
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(const Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -159,6 +181,13 @@ void declare_mass(TableSchema<Region>& table) {
             .fallback("that of the area, evenly filled"));
   limit(table.table("interface", &Region::interface, contact_schema())
             .doc("How the bottom of the region caisson stands on its ground; bonded without this table."));
+  limit(
+      table.table("springs", &Region::springs, springs_schema())
+          .doc(
+              "Springs at the middle of the base of the region caisson, in place of ground, of which the mesh then has "
+              "none (geometry = \"caisson\"): for published lumped models."));
+  limit(table.table("dashpots", &Region::dashpots, dashpots_schema())
+            .doc("Dashpots beside these springs; without this table there are none."));
 }
 
 void declare_pores(TableSchema<Region>& table) {

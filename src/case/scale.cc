@@ -123,6 +123,16 @@ bool is_of_the_soil(const std::string& path, const std::string& unit) {
          (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s");
 }
 
+/// The exponent of the factor for what stands for soil that stays the same, G and rho: springs under a caisson are G,
+/// that of rotation times a length squared; dashpots are rho V_s times a length, and its square again.
+std::optional<double> exponent_on_same_soil(const std::string& path, const std::string& unit) {
+  const bool spring = path.find(".springs.") != std::string::npos,
+             dashpot = path.find(".dashpots.") != std::string::npos;
+  if (!starts_with(path, "regions.") || (!spring && !dashpot)) return std::nullopt;
+  const bool turns = unit == "N" || unit == "N s";
+  return (dashpot ? 1. : 0.) + (turns ? 2. : 0.);
+}
+
 /// Whether any region uses this number of the water.
 bool counts(const std::string& path, const CaseTables& tables) {
   const auto any = [&](const auto& asks) {
@@ -158,6 +168,8 @@ void scale_numbers(CaseTables& tables, const ScaleOptions& options, Ratios& rati
       if (!key.range.contains(number) && std::isfinite(before))
         mistakes.add(ratios.place(path), path + " = " + number_text(number) + " is outside " + key.range.text(),
                      "give another ratio");
+    } else if (const auto of_soil = exponent_on_same_soil(path, unit); options.soil == SoilScaling::same && of_soil) {
+      number *= std::pow(options.factor, *of_soil);
     } else if (options.soil == SoilScaling::same && is_of_the_soil(path, unit)) {
       if (std::isfinite(number) && counts(path, tables)) kept.push_back(path);
     } else {

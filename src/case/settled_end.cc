@@ -40,6 +40,7 @@ struct SettledEnd {
 struct Parts {
   Part ground, caisson;
   double consolidation = 0.;  ///< of the slowest region, H^2/c_v (s)
+  std::optional<BaseSupport> springs;
 };
 
 Parts parts_of(const Scene& scene, const Mesh& mesh) {
@@ -52,6 +53,7 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
     if (found == scene.regions.end()) continue;  // the checks of the scene will tell
     const Region& region = found->second;
     if (name == caisson_name) {
+      parts.springs = region.springs;
       parts.caisson.add(cell);
       parts.caisson.mass +=
           region.mass ? *region.mass * area_of(cell) / regions[name].area : region.density.value_or(0.) * area_of(cell);
@@ -74,11 +76,18 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
   return parts;
 }
 
+/// Of a caisson in sway and rocking by Dunkerley's rule, J about its base (s).
+double period_on(const BaseSupport& springs, const Part& caisson) {
+  const double h = caisson.height(), b = 0.5 * caisson.width(), J = caisson.mass * (h * h / 3. + b * b / 3.);
+  return 2. * pi * std::sqrt(caisson.mass / springs.horizontal + J / springs.rotation);
+}
+
 /// The longest period in which the section swings (s): of the ground as a layer in shear, 4 H/V_s, or of the caisson on
 /// it, by Dunkerley's rule for sway and rocking on the springs of a strip of half width b on a layer of depth H, K_x =
 /// 2.1 G/(2 - nu) (1 + 2b/H), K_r = pi G b^2/(2 (1 - nu)) (1 + b/(5H)) (Gazetas, Soil Dyn. Earthq. Eng. 2 (1983) 2).
 double period_of(const Parts& parts) {
   const Part& ground = parts.ground;
+  if (parts.springs) return period_on(*parts.springs, parts.caisson);
   if (!(ground.area > 0.)) return 0.;
   const double H = ground.height(), shear = 4. * H * ground.slowness / ground.area;
   const Part& caisson = parts.caisson;
@@ -86,8 +95,7 @@ double period_of(const Parts& parts) {
   const double G = ground.area / ground.compliance, nu = ground.poisson / ground.area, b = 0.5 * caisson.width();
   const double K_x = 2.1 * G / (2. - nu) * (1. + 2. * b / H);
   const double K_r = pi * G * b * b / (2. * (1. - nu)) * (1. + b / (5. * H));
-  const double h = caisson.height(), J = caisson.mass * (h * h / 3. + b * b / 3.);
-  return std::max(shear, 2. * pi * std::sqrt(caisson.mass / K_x + J / K_r));
+  return std::max(shear, period_on({K_x, 0., K_r}, caisson));
 }
 
 /// Two digits, not less than the value.

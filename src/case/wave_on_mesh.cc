@@ -30,6 +30,8 @@ class WallCheck {
   double height() const { return wave_.section.foundation_depth + wave_.section.crest; }
 
   void run(const Scene& scene, const Outline& outline) const {
+    const auto caisson = scene.regions.find(caisson_name);
+    const bool has_ground = caisson == scene.regions.end() || !caisson->second.springs;
     if (wall_.right - wall_.left > tolerance_)
       mistakes_.add(at_key(path_ + ".boundary"),
                     "'" + wave_.load.boundary + "' is not upright: it reaches from x = " + significant(wall_.left, 6) +
@@ -46,7 +48,7 @@ class WallCheck {
       if (const auto sea = outline.surfaces.find(name); region.kind == RegionKind::water &&
                                                         sea != outline.surfaces.end() &&
                                                         sea->second.right <= wall_.left + tolerance_)
-        check_sea(name, sea->second);
+        check_sea(name, sea->second, has_ground);
   }
 
  private:
@@ -62,9 +64,10 @@ class WallCheck {
                     "give one water level in both");
   }
 
-  void check_sea(const std::string& name, const Bounds& sea) const {
+  /// Beside a caisson on springs the sea ends at the height of its base.
+  void check_sea(const std::string& name, const Bounds& sea, bool has_ground) const {
     check_level(sea.highest, "'" + name + "'");
-    if (differ(sea.highest - sea.lowest, wave_.section.water_depth))
+    if (has_ground && differ(sea.highest - sea.lowest, wave_.section.water_depth))
       mistakes_.add(at_key("section.water_depth"),
                     "water_depth = " + significant(wave_.section.water_depth, 6) + " m, but the sea '" + name +
                         "' is " + significant(sea.highest - sea.lowest, 6) + " m deep",

@@ -198,6 +198,8 @@ Reduction GrowingModel::finish() {
   if (!out_.history.empty())
     out_.omega = agreed_frequency(coarse_, out_.model, options_.measured, transfer_tolerance * options_.tolerance,
                                   1. / options_.training.time.back(), 100. * options_.shift);
+  else if (look_->exhausted)  // with all unknowns nothing is left out
+    out_.omega = 100. * options_.shift;
   out_.system = system();
   out_.n_spared = std::min(out_.n_spared, out_.n_solves);
   const FieldBasis phi = options_.keep_pressures || options_.keep_states ? basis_->phi(*look_) : FieldBasis();

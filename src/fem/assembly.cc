@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "algebra/pattern_sums.h"
+#include "fem/caisson/springs.h"
 #include "fem/kernels.h"
 #include "fem/sides.h"
 
@@ -208,12 +209,16 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
     };
   };
   const bool adds_bodies = scene.time.inertia && share.bodies;
+  std::optional<BaseSprings> springs;
+  if (forces && share.bodies && is_on_springs(space))
+    springs.emplace(scene.regions.at(caisson_name), space, unknowns, bodies, *find_caisson(space));
   const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
   for (const auto& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && is_own(cell->active_cell_index())) assembly.expect(dofs_of(cell));
   for_each_face(scene, space, unknowns, interface,
                 {expect, expect, [](const WetFace&, const FaceTerms&) {}, share.materials_alone});
   if (adds_bodies) assembly.expect(bodies);
+  if (springs) assembly.expect(springs->terms());
 
   assembly.begin();
   assemble_cells(scene, space, forces, is_own, share.materials_alone, assembly);
@@ -225,6 +230,10 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
                  },
                  share.materials_alone});
   if (adds_bodies) assembly.add(bodies);
+  if (springs) {
+    assembly.add(springs->terms());
+    springs->add_to(forces->ground);
+  }
   assembly.write(system);
 }
 

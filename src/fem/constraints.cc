@@ -76,6 +76,7 @@ void add_rigid(Constraints& constraints, const Space& space, const std::vector<B
 /// first slip.
 void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& nodes, types::global_dof_index first) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes[i].has_ground()) continue;
     constraints.add_entry(nodes[i].ux, first + i, -1.);
     constraints.add_entry(nodes[i].uy, first + nodes.size() + i, -1.);
   }

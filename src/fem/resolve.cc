@@ -193,8 +193,17 @@ Decision tell_damping(const std::string& name, const Rayleigh& damping) {
 
 namespace {
 
+Decision tell_springs(const std::string& name, const BaseSupport& springs) {
+  return {name, "springs",
+          with_unit(springs.horizontal, "Pa") + ", " + with_unit(springs.vertical, "Pa") + ", " +
+              with_unit(springs.rotation, "N"),
+          "horizontal, vertical and rotation at the middle of the base, as the case says, in place of ground",
+          "the ground, its waves and its pore pressure"};
+}
+
 /// How the stress of a region follows its strain, and its damping.
 void tell_laws(const std::string& name, const Region& region, ResolvedScene& resolved) {
+  if (region.springs) resolved.decisions.push_back(tell_springs(name, *region.springs));
   if (region.law != SoilLaw::elastic)
     resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
                                   "as the case says; where it yields nothing is linear, so it is marched", ""});

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "fem/caisson/bottom.h"
+#include "fem/caisson/springs.h"
 #include "fem/checker.h"
 #include "fem/outline.h"
 #include "fem/static_stage.h"
@@ -173,6 +174,40 @@ void check_caisson(Checker& checker) {
                      "a support of the caisson would take part of the shear force", "say \"free\"");
 }
 
+/// What a case may ask of the ground under a caisson, which springs have not.
+void check_asked_of_ground(Checker& checker) {
+  const Scene& scene = checker.scene;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& what, const std::string& cure) {
+    if (asked) checker.object(key, what + ", and springs stand for it", cure);
+  };
+  refuse(scene.base_stress, "output.base", "the stress along the base is that of the ground's nodes",
+         "leave it out: normal_force and base_moment tell what presses on the springs");
+  refuse(!scene.construction.empty(), "construction", "stages build the ground", "remove them, or mesh the ground");
+  refuse(scene.limits.circles.has_value(), "limits.circles", "slip circles pass through ground", "remove it");
+  refuse(scene.limits.liquefaction.has_value(), "limits.liquefaction", "it is the ground that liquefies", "remove it");
+  refuse(scene.cycles.has_value(), "cycles", "cycles of a storm build pore pressure in ground", "remove it");
+}
+
+/// Springs under the caisson, and nothing else.
+void check_base_springs(Checker& checker) {
+  for (const auto& [name, region] : checker.scene.regions)
+    if (region.springs && name != caisson_name)
+      checker.object("regions." + name + ".springs", "only the caisson may stand on springs",
+                     "name the region 'caisson', or give a side of the mesh springs: [boundaries.NAME] spring");
+  const auto caisson = checker.scene.regions.find(caisson_name);
+  if (caisson == checker.scene.regions.end() || !caisson->second.springs) return;
+  const std::string key = "regions.caisson.springs";
+  for (const std::string& surface : checker.outline.touching(caisson_name))
+    if (!checker.is(surface, RegionKind::water))
+      checker.object(key, "the caisson stands on '" + surface + "' and on springs",
+                     "take a mesh without ground, such as geometry = \"caisson\", or remove the springs");
+  if (checker.outline.surfaces.count(caisson_name) && !lowest_side(checker.mesh))
+    checker.object(key, "the caisson's lowest side is not level, or lies inside the mesh",
+                   "level it in the mesh, as in geometry = \"caisson\"");
+  if (!checker.scene.time.inertia) checker.refuse(Treatment::consolidation, key);
+  check_asked_of_ground(checker);
+}
+
 /// Only a rigid caisson on a level bottom may slip, and only in a march in time.
 void check_contact(Checker& checker) {
   for (const auto& [name, region] : checker.scene.regions)
@@ -209,6 +244,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   check_yielding(checker);
   check_caisson(checker);
   check_contact(checker);
+  check_base_springs(checker);
   check_boundaries(checker);
   check_shaken_sides(checker);
   check_loads(checker);

@@ -54,12 +54,14 @@ Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Bod
 
 void Unknowns::separate(const std::vector<InterfaceNode>& interface) {
   const int first = size() - 2 * n_interface_;
-  for (const InterfaceNode& node : interface)
+  for (const InterfaceNode& node : interface) {
+    if (!node.has_ground()) continue;
     for (const auto dof : {node.ux, node.uy}) {
       Row& row = of_caisson_[dof];
       for (const auto& [j, weight] : expansion_[dof])
         if (j < first) row.emplace_back(j, weight);
     }
+  }
 }
 
 const Row& Unknowns::caisson_expansion(types::global_dof_index dof) const {

@@ -110,7 +110,10 @@ NumberedWarnings lift_warnings(const Evidence& e) {
            which + " lifts at " + significant(least.time) + " s: bonded, as here, it bears a tension of " +
                with_unit(-least.stress, "Pa") + ", which a real base does not (N' = " + with_unit(least.force, "N/m") +
                ", moment " + with_unit(least.moment, "N m/m") + ")",
-           "write [regions.caisson.interface] kind = \"friction\""}};
+           e.scene.regions.at(caisson_name).springs
+               ? "believe the springs only up to then, or mesh the ground with [regions.caisson.interface] kind = "
+                 "\"friction\""
+               : "write [regions.caisson.interface] kind = \"friction\""}};
 }
 
 /// Warning base_pressure: an edge has a larger pressure in motion than the case allows.

@@ -242,6 +242,22 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
   judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }
 
+/// Springs under a caisson of the width B. Of strips on layers K_r/(K_x B^2) is 0.1 to 0.3 (Gazetas 1983).
+void judge_springs(const std::string& at, const BaseSupport& springs, double B, NumberedWarnings& list) {
+  judge(at + "horizontal", springs.horizontal, quantities::base_spring, list);
+  judge(at + "vertical", springs.vertical, quantities::base_spring, list);
+  const double usual = springs.horizontal * B * B;
+  judge(at + "rotation", springs.rotation,
+        {"N",
+         0.005 * usual,
+         10. * usual,
+         0.05 * usual,
+         usual,
+         {{"kN", 1e3}, {"MN", 1e6}},
+         "0.1 to 0.3 times horizontal B^2"},
+        list);
+}
+
 NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
   const Scene& scene = simulation.given();
@@ -260,6 +276,8 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
                           ", which no grains that fill the skeleton alone can have: the pore pressure counts for less "
                           "than it is",
                       "give " + at + "biot of at least the porosity; 1 where grains are far stiffer than the soil"});
+    if (region.springs && simulation.compiled()->caisson)
+      judge_springs(at + "springs.", *region.springs, simulation.compiled()->caisson->bottom_width, list);
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }

@@ -72,13 +72,21 @@ inline bool operator==(const CyclicSoil& a, const CyclicSoil& b) {
   return members(a) == members(b);
 }
 
+inline auto members(const BaseSupport& of) {
+  const auto& [horizontal, vertical, rotation] = of;
+  return std::tie(horizontal, vertical, rotation);
+}
+inline bool operator==(const BaseSupport& a, const BaseSupport& b) {
+  return members(a) == members(b);
+}
+
 inline auto members(const Region& of) {
   const auto& [kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k, kappa,
                saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic, interface,
-               deformation, compressibility] = of;
+               springs, dashpots, deformation, compressibility] = of;
   return std::tie(kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k,
                   kappa, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic,
-                  interface, deformation, compressibility);
+                  interface, springs, dashpots, deformation, compressibility);
 }
 inline bool operator==(const Region& a, const Region& b) {
   return members(a) == members(b);

@@ -126,6 +126,9 @@ const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
                            return when(s.initial && s.initial->harbour_level, "initial.harbour_level");
                          }};
 
+const Feature springs{"a caisson on springs",
+                      [](const Scene& s) { return in_regions(s, &Region::springs, "springs"); }};
+
 constexpr std::array way_names{"`time.scheme = \"reduced\"`",
                                "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",
@@ -163,7 +166,8 @@ std::vector<Row> rows_of_soils() {
           {Treatment::soil_model, peak_safety, "it holds readings alone"},
           {Treatment::soil_model, own_mesh_error, "each soil would be solved on other meshes, too"},
           {Treatment::soil_model, adapted, "each soil has a mesh of its own"},
-          {Treatment::soil_model, march_by_name, "it marches nothing"}};
+          {Treatment::soil_model, march_by_name, "it marches nothing"},
+          {Treatment::soil_model, springs, "no soil is under it"}};
 }
 
 std::vector<Row> rows_of_the_rest() {
@@ -181,13 +185,19 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
           {Treatment::several_processes, yielding, "no soil yields"},
+          {Treatment::several_processes, springs, "no caisson stands on springs"},
+          {Treatment::adapted_mesh, springs, "there is no ground whose cells it could split"},
           {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
           {Treatment::checkpoints, contact, "a run with contact keeps none"},
           {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
           {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
            "give it kind = \"rigid\", or deformation = \"rigid\""},
+          {Treatment::contact, springs, "springs at its middle do not lift from its edges",
+           "write kind = \"bonded\": [sliding] tells how far it slips as a whole"},
           {Treatment::contact, two_levels, "friction node by node begins without the shear of still water",
            "write kind = \"bonded\", or give one level"},
+          {Treatment::consolidation, springs, "without inertia a caisson on springs only follows its load: F_T = P",
+           "write inertia = true"},
           {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
            "write flow = \"auto\" or inertia = true"},
           {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",

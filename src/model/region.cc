@@ -49,6 +49,8 @@ const Rules& member_rules() {
       {"densification", {K::porous}, false, is_set(&R::densification)},
       {"cyclic", {K::porous}, false, is_set(&R::cyclic)},
       {"interface", {K::rigid, K::solid}, false, is_set(&R::interface)},
+      {"springs", {K::rigid}, false, is_set(&R::springs)},
+      {"dashpots", {K::rigid}, false, is_set(&R::dashpots)},
       {"deformation", {K::solid}, false, changed(&R::deformation)},
       {"compressibility", {K::water}, false, changed(&R::compressibility)},
   };
@@ -69,6 +71,9 @@ class Checker {
                   region_.youngs_modulus.has_value());
     if (region_.kind == K::solid && !region_.density) add_missing("density", whose_, list_);
     if (region_.kind == K::porous) check_porous();
+    if (region_.dashpots && !region_.springs)
+      add("dashpots", "dashpots are given without springs, which hold the caisson",
+          "add springs = { horizontal = 5e8, vertical = 6e8, rotation = 2e10 }");
     if (region_.strain_law) check_strain(*region_.strain_law);
     check_law();
     if (region_.densification) check_densification(*region_.densification);

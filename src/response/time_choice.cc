@@ -257,8 +257,8 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   const System& system = compiled.system;
   const double marched = least_solves(scene, system);
   const double n_loads = static_cast<double>(std::min(system.loads.size(), most_independent));
-  const double reduced = usual_vectors_per_load * n_loads;
   const int n_free = whole_size(system) - system.n_prescribed;
+  const double reduced = std::min(usual_vectors_per_load * n_loads, static_cast<double>(n_free));
   if (const double equal = work(reduced, n_free); marched < equal)
     return {TimeScheme::sdirk4,
             about(marched) + " solves" + or_more(scene) + "; a reduced model would cost as much as " + about(equal),

@@ -54,7 +54,7 @@ TEST(GeoParameters, NoneWithoutFile) {
 }
 
 TEST(GeoParameters, TheProgramsOwnAreAllDescribed) {
-  for (const char* name : {"composite", "column"}) {
+  for (const char* name : {"composite", "column", "caisson"}) {
     const auto parameters = geo_parameters(std::string(UPBEAD_MESHES) + "/" + name + ".geo");
     EXPECT_GE(parameters.size(), 5u);
     for (const GeoParameter& parameter : parameters) {

@@ -50,6 +50,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.initial = InitialState();
   scene.initial->harbour_level = 1.;
   scene.boundaries["left"] = {DisplacementCondition::absorbing, PressureCondition::absorbing};
+  scene.regions["caisson"].springs = BaseSupport{1., 1., 1.};
   scene.regions["caisson"].interface = ContactLaw{ContactKind::friction, {}};
   scene.boundaries["base"].displacement = DisplacementCondition::fixed;
   scene.loads["quake"].kind = LoadKind::acceleration;

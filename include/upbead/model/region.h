@@ -85,6 +85,12 @@ struct ContactLaw {
   std::optional<double> coefficient;  ///< mu; none: that of [sliding], or 0.6
 };
 
+/// Forces on the middle of the caisson's base from what stands for its ground, per unit of its motions and per metre of
+/// breakwater: springs (Pa, Pa, N) or dashpots (Pa s, Pa s, N s).
+struct BaseSupport {
+  double horizontal = 0., vertical = 0., rotation = 0.;
+};
+
 /// Pore water and sea water.
 struct Fluid {
   double density = 1030.;                 ///< rho_f (kg/m3)
@@ -176,6 +182,7 @@ struct Region {
   std::optional<Densification> densification;                    ///< porous
   std::optional<CyclicSoil> cyclic;                              ///< porous
   std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
+  std::optional<BaseSupport> springs, dashpots;                  ///< rigid: of the caisson, in place of ground
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water
 };

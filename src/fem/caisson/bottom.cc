@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "fem/caisson/springs.h"
 #include "fem/unknowns.h"
 #include "system/interface.h"
 
@@ -32,7 +33,19 @@ void for_each_displacement(const Space& space, const Cell& cell, unsigned f,
   }
 }
 
+namespace {
+
+/// The middle of a base on springs stands for all of it.
+std::vector<InterfaceNode> node_on_springs(const Mesh& mesh) {
+  const std::optional<BaseLine> base = lowest_side(mesh);
+  if (!base) return {};
+  return {{numbers::invalid_dof_index, numbers::invalid_dof_index, base->middle[0], base->width}};
+}
+
+}  // namespace
+
 std::vector<InterfaceNode> interface_nodes(const Space& space) {
+  if (is_on_springs(space)) return node_on_springs(space.mesh());
   std::map<types::global_dof_index, InterfaceNode> by_uy;
   for_each_bottom_face(space, [&](const Cell& cell, unsigned f) {
     const Dofs dofs = dofs_of(cell);

@@ -23,10 +23,11 @@ void for_each_displacement(
 
 class Unknowns;
 
-/// A node of the rigid caisson's level bottom. Its degrees of freedom are those of the ground; the displacements of
-/// the caisson follow from the caisson's coordinates alone.
+/// A node of the rigid caisson's level bottom. Its degrees of freedom are those of the ground, of which springs have
+/// none; the displacements of the caisson follow from the caisson's coordinates alone.
 struct InterfaceNode {
   dealii::types::global_dof_index ux = 0, uy = 0;
+  bool has_ground() const { return ux != dealii::numbers::invalid_dof_index; }
   double position = 0.;  ///< x (m)
   double length = 0.;    ///< integral of its shape function along the bottom: a force over it is a stress (m)
 };

@@ -5,13 +5,25 @@
 #include <algorithm>
 #include <limits>
 
+#include "fem/caisson/springs.h"
 #include "fem/constraints.h"
 
 namespace upbead {
 
 using namespace dealii;
 
+namespace {
+
+std::optional<Caisson> caisson_on_springs(const Space& space) {
+  const std::optional<BaseLine> base = lowest_side(space.mesh());
+  if (!base) return std::nullopt;
+  return Caisson{make_body(space, caisson_name), base->middle, base->width};
+}
+
+}  // namespace
+
 std::optional<Caisson> find_caisson(const Space& space) {
+  if (is_on_springs(space)) return caisson_on_springs(space);
   double left = std::numeric_limits<double>::infinity(), right = -left, height = 0., length = 0.;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.mesh().surface_of(cell) != caisson_name) continue;
@@ -148,6 +160,13 @@ Row NodalReaction::nodal_forces(int sum) const {
     for (const auto& [k, weight] : sums_.of_dof[dof])
       if (k == sum) row.emplace_back(static_cast<int>(dof), weight);
   return row;
+}
+
+void NodalReaction::add(int sum, double stiffness, double damping, const Row& motion) {
+  for (const auto& [unknown, weight] : motion) {
+    if (stiffness != 0.) K_[static_cast<std::size_t>(sum)][unknown] += stiffness * weight;
+    if (damping != 0.) C_[static_cast<std::size_t>(sum)][unknown] += damping * weight;
+  }
 }
 
 void NodalReaction::add(const CellMatrices& cell, const Dofs& dofs) {

@@ -20,7 +20,7 @@ struct Caisson {
   double bottom_width = 0.;          ///< horizontal extent of that contact, B (m)
 };
 
-/// None where the mesh has no surface of the caisson's name, or where that surface touches nothing.
+/// None where the mesh has no surface of the caisson's name, or where that surface touches nothing and has no springs.
 std::optional<Caisson> find_caisson(const Space& space);
 
 /// What still water at the two levels of [initial] does to the caisson, beside its weight in water as high as the sea;
@@ -55,6 +55,8 @@ class NodalReaction {
 
   /// Adds a cell or a face that does not belong to the caisson.
   void add(const CellMatrices& cell, const Dofs& dofs);
+  /// Adds a spring and a dashpot to one of the sums: its force is stiffness times the motion, damping times its rate.
+  void add(int sum, double stiffness, double damping, const Row& motion);
   /// Whether some of these degrees of freedom count in a sum, so that there is something to add.
   bool has_any(const Dofs& dofs) const;
   /// The value of one of the sums for given nodal forces.
