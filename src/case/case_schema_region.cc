@@ -197,6 +197,10 @@ void declare_pores(TableSchema<Region>& table) {
                   "hydraulic conductivity k; or permeability; needed unless flow is drained", above(0.)));
   limit(table.key("permeability", &Region::permeability, "m2",
                   "intrinsic permeability kappa; instead of k = kappa rho_f g / mu, mu = fluid.viscosity", above(0.)));
+  limit(table.key("conductivity_ratio", &Region::conductivity_ratio, "",
+                  "vertical over horizontal conductivity, k_y/k_x; hydraulic_conductivity and permeability are the "
+                  "horizontal ones. Layered sand has 0.1 to 0.5",
+                  above(0.)));
   limit(table.key("saturation", &Region::saturation, "",
                   "share of water in the volume of the pores; the rest is bubbles of air, which make the water softer: "
                   "1/K = S/K_f + (1 - S)/p, p absolute at rest in the middle of the region's height",

@@ -70,7 +70,7 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
     if (region.kind != RegionKind::porous || !k || region.flow == Flow::drained || regions.count(name) == 0) continue;
     const Part& part = regions[name];
     const double nu = *region.poissons_ratio, M = shear_modulus(region) * 2. * (1. - nu) / (1. - 2. * nu);
-    const double c_v = *k * M / (scene.fluid.density * scene.gravity);
+    const double c_v = region.conductivity_ratio * *k * M / (scene.fluid.density * scene.gravity);
     parts.consolidation = std::max(parts.consolidation, part.height() * part.height() / c_v);
   }
   return parts;

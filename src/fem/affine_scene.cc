@@ -74,9 +74,11 @@ bool is_zero(const System& part) {
   return part.M.nonZeros() + part.C.nonZeros() + part.K.nonZeros() == 0;
 }
 
-/// Terms of the fluid alone cancel between two compilations, and must be finite.
-RegionConstants with_fluid(RegionConstants constants) {
+/// Terms of the fluid alone cancel between two compilations, and must be finite; the direction of flow is no constant
+/// that varies.
+RegionConstants as_in(const RegionConstants& region, RegionConstants constants) {
   constants.material.rho_f = 1.;
+  constants.material.vertical_flow = region.material.vertical_flow;
   return constants;
 }
 
@@ -106,12 +108,13 @@ AffineScene affine_scene(const Scene& scene, const Mesh& mesh, const std::vector
     if (found == varied.end()) continue;
     const Varied here = with_products(found->second);
     fixed.back() = without(fixed.back(), here);
-    const System none = compiler.of_region(surface, with_fluid({}));
+    const RegionConstants own = compiler.constants(surface);
+    const System none = compiler.of_region(surface, as_in(own, {}));
     std::array<System, n_coefficients> parts;
     in_parallel(parts.size(), "", [&](std::size_t i) {
       if (!here[i]) return;
       const auto coefficient = static_cast<Coefficient>(i);
-      parts[i] = difference(compiler.of_region(surface, with_fluid(unit_constants(coefficient))), none);
+      parts[i] = difference(compiler.of_region(surface, as_in(own, unit_constants(coefficient))), none);
       if (is_of_damping(coefficient)) parts[i] = of_damping(std::move(parts[i]));
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {

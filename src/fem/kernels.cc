@@ -45,12 +45,13 @@ Table tabulate(const FEValues<dim>& fe, const std::vector<unsigned>& dofs, unsig
   return table;
 }
 
-/// Tables of the values of u or W, of their divergence, and of the values and gradients of phi.
-Table values_of(const FEValues<dim>& fe, const FEValuesExtractors::Vector& part) {
+/// Tables of the values of u or W, of their divergence, and of the values and gradients of phi; vertical components
+/// times a factor.
+Table values_of(const FEValues<dim>& fe, const FEValuesExtractors::Vector& part, double of_vertical = 1.) {
   return tabulate(fe, part_dofs(fe, part), dim, [&](unsigned i, unsigned q, double* out) {
     const Tensor<1, dim> value = fe[part].value(i, q);
     out[0] = value[0];
-    out[1] = value[1];
+    out[1] = of_vertical * value[1];
   });
 }
 
@@ -59,11 +60,11 @@ Table values_of_phi(const FEValues<dim>& fe) {
                   [&](unsigned i, unsigned q, double* out) { *out = fe[phi_part].value(i, q); });
 }
 
-Table gradients_of_phi(const FEValues<dim>& fe) {
+Table gradients_of_phi(const FEValues<dim>& fe, double of_vertical = 1.) {
   return tabulate(fe, part_dofs(fe, phi_part), dim, [&](unsigned i, unsigned q, double* out) {
     const Tensor<1, dim> gradient = fe[phi_part].gradient(i, q);
     out[0] = gradient[0];
-    out[1] = gradient[1];
+    out[1] = of_vertical * gradient[1];
   });
 }
 
@@ -121,9 +122,10 @@ void pp_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
   add_square(part_dofs(fe, phi_part), -material.storage, values_of_phi(fe), cell.M);
 }
 
-/// pp_C, darcy: -(1/b) grad dphi . grad phi
+/// pp_C, darcy: -(1/b) grad dphi . diag(1, r) grad phi, r = k_y/k_x
 void pp_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  add_square(part_dofs(fe, phi_part), -material.mobility, gradients_of_phi(fe), cell.C);
+  add_square(part_dofs(fe, phi_part), -material.mobility, gradients_of_phi(fe, std::sqrt(material.vertical_flow)),
+             cell.C);
 }
 
 /// pp_K, water: -(1/rho_f) grad dphi . grad phi
@@ -139,12 +141,11 @@ void W_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) 
   add_square(W, material.a, values, cell.M);
 }
 
-/// WW_C: +b dW.W; Wp_C and pW_C: +dW.grad phi and its transpose
+/// WW_C: +b dW.diag(1, 1/r) W, r = k_y/k_x; Wp_C and pW_C: +dW.grad phi and its transpose
 void W_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto W = part_dofs(fe, W_part);
-  const Table values = values_of(fe, W_part);
-  add_square(W, material.b, values, cell.C);
-  add_pair(W, part_dofs(fe, phi_part), 1., values, gradients_of_phi(fe), cell.C);
+  add_square(W, material.b, values_of(fe, W_part, 1. / std::sqrt(material.vertical_flow)), cell.C);
+  add_pair(W, part_dofs(fe, phi_part), 1., values_of(fe, W_part), gradients_of_phi(fe), cell.C);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 //   momentum   rho u'' + rho_f W'' - div(sigma'(u) - alpha phi' I) = 0
 //   fluid      rho_f u'' + a W'' + b W' + grad phi' = 0                         (inertial flow)
 //   mass       alpha div u' + div W' + phi''/Q = 0,  W' = -(1/b) grad phi'      (the latter: darcy flow)
+//              b of horizontal flow; of vertical flow b k_x/k_y
 //   water      div W' + phi''/K_f = 0,               W' = -grad phi / rho_f     (W the water's own displacement)
 //
 // Biot (1962), Zienkiewicz, Chang and Bettess (1980); the form in phi: docs/theory.md.

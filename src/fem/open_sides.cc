@@ -28,18 +28,21 @@ std::vector<Prescribed> prescribed_on(const std::string& curve, const Scene& sce
 /// Values at one point of a face, for all rows: the cell's degrees of freedom, then the prescribed pressures.
 struct Traces {
   std::vector<double> jump;  ///< [phi]
-  std::vector<double> flux;  ///< grad phi . n
+  std::vector<double> flux;  ///< grad phi . n; the vertical part of the gradient times k_y/k_x
   std::vector<double> W;     ///< W . n
 };
 
-Traces traces_at(const FEFaceValues<dim>& fe, unsigned q, bool has_W, const std::vector<Prescribed>& prescribed) {
+Traces traces_at(const FEFaceValues<dim>& fe, unsigned q, bool has_W, double vertical_flow,
+                 const std::vector<Prescribed>& prescribed) {
   const unsigned n = fe.dofs_per_cell;
   const std::vector<double> zeros(n + prescribed.size(), 0.);
   Traces traces{zeros, zeros, zeros};
   const auto normal = fe.normal_vector(q);
   for (unsigned i = 0; i < n; ++i) {
     traces.jump[i] = fe[phi_part].value(i, q);
-    traces.flux[i] = fe[phi_part].gradient(i, q) * normal;
+    Tensor<1, dim> gradient = fe[phi_part].gradient(i, q);
+    gradient[1] *= vertical_flow;
+    traces.flux[i] = gradient * normal;
     if (has_W) traces.W[i] = fe[W_part].value(i, q) * normal;
   }
   for (std::size_t l = 0; l < prescribed.size(); ++l)
@@ -56,14 +59,16 @@ double penalty(int degree_of_u, bool inertial) {
   return inertial ? darcy - (k + 1.) * (k + 1.) : darcy;
 }
 
-void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, double penalty_over_h,
+void integrate(const FEFaceValues<dim>& fe, bool inertial, const Material& material, double penalty_over_h,
                const std::vector<Prescribed>& prescribed, FullMatrix<double>& C) {
+  const double mobility = material.mobility;
   const unsigned n = fe.dofs_per_cell + static_cast<unsigned>(prescribed.size());
   for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
-    const Traces t = traces_at(fe, q, inertial, prescribed);
+    const Traces t = traces_at(fe, q, inertial, material.vertical_flow, prescribed);
+    const double along_normal = material.flow_along(fe.normal_vector(q)[1]);
     for (unsigned i = 0; i < n; ++i)
       for (unsigned j = 0; j < n; ++j) {
-        double value = -mobility * penalty_over_h * t.jump[i] * t.jump[j];
+        double value = -mobility * along_normal * penalty_over_h * t.jump[i] * t.jump[j];
         value += inertial ? -t.W[i] * t.jump[j] - t.jump[i] * t.W[j]
                           : mobility * (t.jump[i] * t.flux[j] + t.flux[i] * t.jump[j]);
         C(i, j) += value * fe.JxW(q);
@@ -77,18 +82,25 @@ struct OpenFace {
   double penalty_over_h;
 };
 
-/// Gradients of phi times the root of the point's weight: their component along the normals of a face, or both
-/// components. One row for each degree of freedom but the first, as a constant phi has no gradient; the squares of
-/// the rows are integrals.
 template <class Values>
-Eigen::MatrixXd gradients(const Values& fe, const std::vector<unsigned>& phi, bool normal_only) {
+double flux(const Values& fe, unsigned q, const Tensor<1, dim>& gradient, const Material& m) {
+  const Tensor<1, dim> normal = fe.get_normal_vectors()[q];
+  return gradient * normal / std::sqrt(m.flow_along(normal[1]));
+}
+
+/// Gradients of phi times the root of the point's weight: of a face their flux along its normals over the root of k
+/// along these, or both components times the roots of k along x and y; k over k_x. One row for each degree of freedom
+/// but the first, as a constant phi has no gradient; the squares of the rows are integrals.
+template <class Values>
+Eigen::MatrixXd gradients(const Values& fe, const std::vector<unsigned>& phi, bool normal_only, const Material& m) {
   const unsigned n = normal_only ? 1 : dim;
+  const double of_vertical = normal_only ? m.vertical_flow : std::sqrt(m.vertical_flow);
   Eigen::MatrixXd table(phi.size() - 1, n * fe.n_quadrature_points);
   for (unsigned i = 1; i < phi.size(); ++i)
     for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
-      const Tensor<1, dim> gradient = std::sqrt(fe.JxW(q)) * fe[phi_part].gradient(phi[i], q);
-      for (unsigned d = 0; d < n; ++d)
-        table(i - 1, n * q + d) = normal_only ? gradient * fe.get_normal_vectors()[q] : gradient[d];
+      Tensor<1, dim> gradient = std::sqrt(fe.JxW(q)) * fe[phi_part].gradient(phi[i], q);
+      gradient[1] *= of_vertical;
+      for (unsigned d = 0; d < n; ++d) table(i - 1, n * q + d) = normal_only ? flux(fe, q, gradient, m) : gradient[d];
     }
   return table;
 }
@@ -108,10 +120,10 @@ void make_definite(const Space& space, const Cell& cell, std::vector<OpenFace>& 
   FEValues<dim> inside(space.mapping(), element, QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
                        update_gradients | update_JxW_values);
   inside.reinit(typename Triangulation<dim>::cell_iterator(cell));
-  const Eigen::MatrixXd all = gradients(inside, phi, false);
+  const Eigen::MatrixXd all = gradients(inside, phi, false, space.material(cell));
   Eigen::MatrixXd fluxes = Eigen::MatrixXd::Zero(all.rows(), all.rows());
   for (const OpenFace& face : faces) {
-    const Eigen::MatrixXd flux = gradients(FaceValues(space, cell, face.number), phi, true);
+    const Eigen::MatrixXd flux = gradients(FaceValues(space, cell, face.number), phi, true, space.material(cell));
     fluxes += flux * flux.transpose() / face.penalty_over_h;
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratio(fluxes, all * all.transpose(),
@@ -152,8 +164,8 @@ void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& 
       for (const Prescribed& load : prescribed) unknowns_here.push_back(load.unknown);
       terms.reinit({cell}, unknowns_here);
       const bool inertial = space.kind(cell) == CellKind::inertial;
-      const double mobility = space.material(cell).mobility;
-      integrate(FaceValues(space, cell, f), inertial, mobility, penalty_over_h, prescribed, terms.matrices.C);
+      integrate(FaceValues(space, cell, f), inertial, space.material(cell), penalty_over_h, prescribed,
+                terms.matrices.C);
       visit(terms);
     }
   }

@@ -119,17 +119,20 @@ class FlowAssembly {
         if (weight == 1.) to_nodes_.emplace_back(node, c, 1.);
       }
     }
-    add_conductance(rows, m.mobility);
+    add_conductance(rows, m);
   }
 
-  void add_conductance(const std::vector<NodeRow>& rows, double mobility) {
+  void add_conductance(const std::vector<NodeRow>& rows, const Material& m) {
     for (unsigned i = 0; i < rows.size(); ++i)
       for (unsigned j = 0; j < rows.size(); ++j) {
         double sum = 0.;
-        for (const unsigned q : values_.quadrature_point_indices())
-          sum += values_.shape_grad(i, q) * values_.shape_grad(j, q) * values_.JxW(q);
+        for (const unsigned q : values_.quadrature_point_indices()) {
+          Tensor<1, dim> gradient = values_.shape_grad(j, q);
+          gradient[1] *= m.vertical_flow;
+          sum += values_.shape_grad(i, q) * gradient * values_.JxW(q);
+        }
         for (const auto& [row, a] : rows[i])
-          for (const auto& [column, b] : rows[j]) conductance_.emplace_back(row, column, a * b * mobility * sum);
+          for (const auto& [column, b] : rows[j]) conductance_.emplace_back(row, column, a * b * m.mobility * sum);
       }
   }
 

@@ -18,7 +18,8 @@ bool drains(const Scene& scene, const Space& space, const Cell& cell, unsigned f
 /// Calls visit(terms) for every outer face where the boundary is open and the cell has pore water, and for every face
 /// between pore water and a drained porous region, where the pressure is zero. With the jump
 /// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g for each kind of
-/// flow, and the cell's size h across the face:
+/// flow, and the cell's size h across the face (where flow is not alike in all directions, of grad phi the vertical
+/// part counts k_y/k_x times, and g/h the k along the normal over k_x):
 ///
 /// Darcy flow, Nitsche (1971): C gets
 ///   pp  -1/b ( g/h [dphi][phi] - [dphi] grad phi.n - grad dphi.n [phi] )

@@ -23,7 +23,8 @@ class Density {
     if (load_.kind == LoadKind::body_force) return load_.direction[0] * u[0] + load_.direction[1] * u[1];
     double value = -material_.rho * u[1];
     if (kind_ == CellKind::inertial) value -= material_.rho_f * fe[W_part].value(i, q)[1];
-    if (kind_ == CellKind::darcy) value += material_.rho_f / material_.b * fe[phi_part].gradient(i, q)[1];
+    if (kind_ == CellKind::darcy)
+      value += material_.rho_f / material_.b * material_.vertical_flow * fe[phi_part].gradient(i, q)[1];
     return value;
   }
 
@@ -42,7 +43,7 @@ void add_open_sides(const Scene& scene, const Space& space, const Cell& cell, No
     if (!drains(scene, space, cell, f)) continue;
     const FaceValues fe(space, cell, f);
     for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
-      const double flux = -material.rho_f / material.b * fe.normal_vector(q)[1] * fe.JxW(q);
+      const double flux = -material.rho_f / material.b * material.vertical_flow * fe.normal_vector(q)[1] * fe.JxW(q);
       for (unsigned i = 0; i < dofs.size(); ++i)
         if (const double phi = fe[phi_part].value(i, q); phi != 0.) nodal[dofs[i]] += flux * phi;
     }

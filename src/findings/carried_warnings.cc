@@ -179,6 +179,12 @@ Flow flow_of(const Region& region) {
   return region.kind == RegionKind::porous ? region.flow : Flow::drained;
 }
 
+/// With the drag of the direction in which less flows: waves along it are the shorter ones.
+Material slower_way(Material m) {
+  m.b /= std::min(1., m.vertical_flow);
+  return m;
+}
+
 void keep_worst(const NumberedWarnings& more, NumberedWarnings& list) {
   for (const NumberedWarning& warning : more)
     if (list.empty() || warning.value > list.front().value) list = {warning};
@@ -191,7 +197,7 @@ NumberedWarnings ring_warnings(const Simulation& simulation) {
   if (!simulation.scene().time.inertia) return worst;
   const int degree = simulation.space()->degree();
   for (const LoadedGround& ground : loaded_grounds(simulation.scene(), *simulation.mesh())) {
-    const Material m = mean_material(simulation, ground.region);
+    const Material m = slower_way(mean_material(simulation, ground.region));
     const Flow flow = flow_of(simulation.scene().regions.at(ground.region));
     const auto ask = [&](const std::string& name, std::complex<double> PlaneWaves::*wave) {
       const WaveLaw law = [&m, flow, wave](std::complex<double> s) { return plane_waves(m, flow, s).*wave; };
@@ -209,7 +215,7 @@ NumberedWarnings slow_wave_warnings(const Simulation& simulation) {
   const int degree = simulation.space()->degree() - 1;
   for (const LoadedGround& ground : loaded_grounds(simulation.scene(), *simulation.mesh())) {
     if (flow_of(simulation.scene().regions.at(ground.region)) != Flow::inertial || !ground.pushes) continue;
-    const Material m = mean_material(simulation, ground.region);
+    const Material m = slower_way(mean_material(simulation, ground.region));
     const WaveLaw law = [&m](std::complex<double> s) { return plane_waves(m, Flow::inertial, s).slow; };
     keep_worst(warnings_of("slow_wave_unresolved", ground,
                            carried(simulation, ground, "the slow wave of its water", law, degree)),

@@ -19,7 +19,8 @@ std::optional<double> time_to_drain(const Region& region, const Scene& scene, do
   const std::optional<double> k = conductivity(region, scene.fluid, scene.gravity);
   if (region.kind != RegionKind::porous || !k) return std::nullopt;
   const double confined = material(region, scene.fluid, scene.gravity).constrained_modulus();
-  return most_of_it * height * height * scene.fluid.density * scene.gravity / (*k * confined);
+  return most_of_it * height * height * scene.fluid.density * scene.gravity /
+         (region.conductivity_ratio * *k * confined);
 }
 
 /// Warning drained_stages: of the region that drains last.

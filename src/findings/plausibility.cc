@@ -238,6 +238,9 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
   // Darcy's law ends where water is no longer slow
   judge(at + "hydraulic_conductivity", k,
         region.flow == Flow::inertial ? quantities::conductivity : quantities::darcy_conductivity, list);
+  // deposits in layers 0.1 to 1, varved clay down to 0.02; above 1 where cracks or drains stand upright
+  judge(at + "conductivity_ratio", region.conductivity_ratio,
+        {"1", 1e-3, 15., 0.02, 10., {{"percent", 1e-2}}, "layered soils have 0.02 to 1"}, list);
   judge(at + "permeability", region.permeability, quantities::permeability, list);
   judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }

@@ -48,7 +48,8 @@ double drainage(const Region& region, const Surroundings& at, const Scene& scene
   if (!at.has_open_side || at.has_load || at.touches_water) return 0.;
   const Material m = material(region, scene.fluid, scene.gravity);
   const double l = std::max(at.height, 0.5 * at.width);
-  return m.b > 0. && omega > 0. && l > 0. ? m.constrained_modulus() / m.b / (omega * l * l) : 0.;
+  const double slower = std::min(1., m.vertical_flow);  // k of the direction in which less flows, over k_x
+  return m.b > 0. && omega > 0. && l > 0. ? slower * m.constrained_modulus() / m.b / (omega * l * l) : 0.;
 }
 
 /// Darcy or inertial, by X.
@@ -65,7 +66,8 @@ void choose_by_inertia(double omega, FlowChoice& choice) {
 
 FlowChoice choose_flow(const Region& region, const Surroundings& at, const Scene& scene) {
   FlowChoice choice;
-  const double omega = bandwidth(scene), k = conductivity(region, scene.fluid, scene.gravity).value_or(0.);
+  const double omega = bandwidth(scene), k = std::max(1., region.conductivity_ratio) *
+                                             conductivity(region, scene.fluid, scene.gravity).value_or(0.);
   choice.X = k > 0. && omega > 0. ? k * omega / (scene.gravity * region.porosity.value_or(1.)) : 0.;
   if (region.flow != Flow::automatic) {
     choice.flow = region.flow;

@@ -82,11 +82,11 @@ inline bool operator==(const BaseSupport& a, const BaseSupport& b) {
 
 inline auto members(const Region& of) {
   const auto& [kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k, kappa,
-               saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic, interface,
-               springs, dashpots, deformation, compressibility] = of;
+               ratio, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic,
+               interface, springs, dashpots, deformation, compressibility] = of;
   return std::tie(kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k,
-                  kappa, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic,
-                  interface, springs, dashpots, deformation, compressibility);
+                  kappa, ratio, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification,
+                  cyclic, interface, springs, dashpots, deformation, compressibility);
 }
 inline bool operator==(const Region& a, const Region& b) {
   return members(a) == members(b);

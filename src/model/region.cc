@@ -39,6 +39,7 @@ const Rules& member_rules() {
       {"grain_density", {K::porous}, true, is_set(&R::grain_density)},
       {"hydraulic_conductivity", {K::porous}, false, is_set(&R::hydraulic_conductivity)},
       {"permeability", {K::porous}, false, is_set(&R::permeability)},
+      {"conductivity_ratio", {K::porous}, false, changed(&R::conductivity_ratio)},
       {"saturation", {K::porous}, false, changed(&R::saturation)},
       {"flow", {K::porous}, false, changed(&R::flow)},
       {"tortuosity", {K::porous}, false, changed(&R::tortuosity)},
@@ -274,6 +275,7 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
   m.a = region.tortuosity * fluid.density / n;
   if (const auto k = conductivity(region, fluid, gravity)) m.b = fluid.density * gravity / *k;
   m.mobility = 1. / m.b;
+  m.vertical_flow = region.conductivity_ratio;
   m.alpha = region.biot;
   m.storage = n / region.pore_fluid_modulus.value_or(fluid.bulk_modulus) + (m.alpha - n) / region.grain_bulk_modulus;
   return m;

@@ -15,15 +15,20 @@ bool has_pore_pressure(const Region& region) {
   return region.kind == RegionKind::porous && region.flow != Flow::drained;
 }
 
-bool drains(const Region& soil, const Region& other) {
-  if (!has_pore_pressure(soil)) return false;
-  if (other.kind == RegionKind::water) return true;
-  return has_pore_pressure(other) && *other.hydraulic_conductivity >= least_contrast * *soil.hydraulic_conductivity;
+/// k of a region through a face whose normal has the vertical part n_y (m/s).
+double through(const Region& region, double n_y) {
+  return *region.hydraulic_conductivity * (1. + (region.conductivity_ratio - 1.) * n_y * n_y);
 }
 
-double consolidation(const Scene& scene, const Region& region) {
+bool drains(const Region& soil, const Region& other, double n_y) {
+  if (!has_pore_pressure(soil)) return false;
+  if (other.kind == RegionKind::water) return true;
+  return has_pore_pressure(other) && through(other, n_y) >= least_contrast * through(soil, n_y);
+}
+
+double consolidation(const Scene& scene, const Region& region, double n_y) {
   const Material m = material(region, scene.fluid, scene.gravity);
-  return 1. / m.b / (m.alpha * m.alpha / m.constrained_modulus() + m.storage);
+  return m.flow_along(n_y) / m.b / (m.alpha * m.alpha / m.constrained_modulus() + m.storage);
 }
 
 /// Pairs of c_v t / h^2 and the overshoot after that time.
@@ -96,10 +101,11 @@ std::vector<DrainedFace> drained_faces(const Scene& scene, const Mesh& mesh) {
     for (const unsigned f : cell->face_indices()) {
       if (cell->at_boundary(f)) continue;
       const std::string &name = mesh.surface_of(cell), &other = mesh.surface_of(cell->neighbor(f));
-      if (name == other || !drains(scene.regions.at(name), scene.regions.at(other))) continue;
       const auto face = cell->face(f);
+      const double n_y = std::abs(face->vertex(1)[0] - face->vertex(0)[0]) / face->measure();
+      if (name == other || !drains(scene.regions.at(name), scene.regions.at(other), n_y)) continue;
       list.push_back({name, other, face->vertex(0), face->vertex(1), cell->center(), area_of(cell) / face->measure(),
-                      consolidation(scene, scene.regions.at(name))});
+                      consolidation(scene, scene.regions.at(name), n_y)});
     }
   return list;
 }
@@ -129,7 +135,7 @@ std::optional<DrainedLayer> drained_layer(const Scene& scene, const Space& space
     const Material m = material(scene.regions.at(name), scene.fluid, scene.gravity);
     DrainedLayer found{name, at.into, at.cell / at.length, layer->second.constrained / layer->second.area, 0.,
                        0.,   rest};
-    found.skin = std::sqrt(time / m.b / (m.alpha * m.alpha / found.stiffness + m.storage));
+    found.skin = std::sqrt(time * m.vertical_flow / m.b / (m.alpha * m.alpha / found.stiffness + m.storage));
     const double drained = found.cell / space.degree();
     found.of_the_rest += found.skin / found.stiffness;
     found.compliance = std::max(drained - found.skin, 0.) * std::min(at.length / B, 1.) / found.stiffness;

@@ -23,8 +23,8 @@ using OfRegions = std::map<std::string, Coefficients>;
 
 /// What a region decides by its numbers.
 bool same_choices(const Region& a, const Region& b) {
-  return a.kind == b.kind && a.flow == b.flow && a.deformation == b.deformation &&
-         a.compressibility == b.compressibility;
+  return a.kind == b.kind && a.conductivity_ratio == b.conductivity_ratio && a.flow == b.flow &&
+         a.deformation == b.deformation && a.compressibility == b.compressibility;
 }
 
 void add_varied(const OfRegions& one, const OfRegions& other, std::map<std::string, Varied>& varied) {
@@ -97,7 +97,7 @@ std::string why_not_of_family(const Scene& one, const Scene& other) {
     const auto found = other.regions.find(name);
     if (found == other.regions.end()) return "it has no region '" + name + "'";
     if (!same_choices(region, found->second))
-      return "numbers of '" + name + "' decide otherwise about its flow, deformation or compressibility";
+      return "numbers of '" + name + "' decide otherwise about its flow, its direction, deformation or compressibility";
   }
   SystemScene a = system_scene(one), b = system_scene(other);
   b.regions = a.regions;

@@ -100,6 +100,15 @@ TEST(AffineScene, OfInertialFlowAndSidesThatAbsorb) {
   EXPECT_LT(distance_of_sums(scene, *mesh, false), 1e-10);
 }
 
+TEST(AffineScene, OfSoilThatDrainsAlongItsLayers) {
+  Scene scene = full(breakwater(triangle(1e6, 0.3)));
+  scene.regions["seabed"].conductivity_ratio = 0.2;
+  scene.regions["mound"].conductivity_ratio = 3.;
+  scene.regions["mound"].flow = Flow::inertial;
+  const auto mesh = breakwater_mesh(0.4);
+  EXPECT_LT(distance_of_sums(scene, *mesh, false), 1e-10);
+}
+
 TEST(AffineScene, OfDrainedSoilWithoutDampingAndAnElasticCaisson) {
   Scene scene = full(breakwater(triangle(1e6, 0.3)));
   scene.regions["seabed"].damping.reset();

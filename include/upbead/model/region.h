@@ -171,6 +171,7 @@ struct Region {
   std::optional<double> grain_density;                     ///< rho_s (kg/m3)
   std::optional<double> hydraulic_conductivity;            ///< k (m/s)
   std::optional<double> permeability;                      ///< kappa (m2), instead of k = kappa rho_f g / mu
+  double conductivity_ratio = 1.;                          ///< k_y/k_x; those above are of the horizontal flow
   double saturation = 1.;                                  ///< S, water in the volume of pores; the rest is air
   std::optional<double> pore_fluid_modulus;                ///< of water with its air (Pa); none: K_f
   Flow flow = Flow::automatic;
@@ -189,17 +190,21 @@ struct Region {
 
 /// The constants of the equations of motion of one region, ready for the kernels; the law is that of the skeleton.
 struct Material : ElasticLaw {
-  double rho = 0.;                                   ///< (1 - n) rho_s + n rho_f, or the solid's density (kg/m3)
-  double rho_f = 0.;                                 ///< fluid density (kg/m3)
-  double a = 0.;                                     ///< tortuosity rho_f / n (kg/m3)
-  double b = 0.;                                     ///< rho_f g / k (Pa s/m2)
-  double mobility = 0.;                              ///< 1/b (m2/(Pa s)); infinite where no k is given
+  double rho = 0.;            ///< (1 - n) rho_s + n rho_f, or the solid's density (kg/m3)
+  double rho_f = 0.;          ///< fluid density (kg/m3)
+  double a = 0.;              ///< tortuosity rho_f / n (kg/m3)
+  double b = 0.;              ///< rho_f g / k (Pa s/m2)
+  double mobility = 0.;       ///< 1/b (m2/(Pa s)); infinite where no k is given
+  double vertical_flow = 1.;  ///< k_y/k_x: b and mobility are those of horizontal flow
+  /// k along a unit vector n over k_x.
+  double flow_along(double n_y) const { return 1. + (vertical_flow - 1.) * n_y * n_y; }
   double alpha = 0.;                                 ///< Biot's coefficient
   double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s; of water 1/K_f (1/Pa)
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)
 };
 
-/// k (m/s) of a porous region, from whichever key it has, conductivity or permeability; none where it has neither.
+/// k (m/s) of horizontal flow in a porous region, from whichever key it has, conductivity or permeability; none where
+/// it has neither.
 std::optional<double> conductivity(const Region& region, const Fluid& fluid, double gravity);
 
 /// Bulk modulus (Pa) of water with bubbles of air at an absolute pressure (Pa), 1/K = S/K_f + (1 - S)/p: the air obeys
