@@ -25,11 +25,11 @@ COARSE = ("mesh.parameters.cells=0.4",)
 FIELDS = (*COARSE, "output.fields={ every = 0.3 }")
 SECTIONS = {  # name: command, case, settings
     "trench": ("run", SUPPORT / "trench.toml", ("output.fields={ every = 0.3 }",)),
-    "prototype": ("run", CASES / "fig2b-prototype.toml", (*FIELDS, "loads.impulse.factor=5")),
     "study": ("study", CASES / "study/stiffness.toml", ()),
     "design": ("waves", CASES / "designer/design.toml", ()),
 }
 AT_LENGTH = {
+    "prototype": ("run", CASES / "fig2b-prototype.toml", (*FIELDS, "loads.impulse.factor=5")),
     "levels": ("run", CASES / "gallery/two-levels.toml", COARSE),
     "designer": ("run", CASES / "designer/section.toml", (*COARSE, "time.end=1", "output.fields={ every = 0.2 }")),
     "clay": ("run", CASES / "gallery/replaced-clay.toml", FIELDS),
