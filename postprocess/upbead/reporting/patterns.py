@@ -1,7 +1,6 @@
 """Soils as drawings of the ground know them: dots for sand, strokes for clay, stones for rubble.
 
-What a soil is drawn as follows from its permeability, as its name may be anything: the limits are those of sand with fines
-(Terzaghi, Peck and Mesri, Soil Mechanics in Engineering Practice, 3rd ed. 1996, art. 14).
+What a soil is drawn as follows from its permeability, as its name may be anything. The limits are ours, and of drawing alone.
 """
 
 from dataclasses import dataclass
