@@ -16,6 +16,7 @@
 #include "output/checks.h"
 #include "output/output_text.h"
 #include "response/time_choice.h"
+#include "run/contact/reduced_ground.h"
 #include "run/yielding_extent.h"
 
 namespace upbead {
@@ -113,6 +114,13 @@ Checks with_a_limit(const Checks& checks) {
   for (const Check& check : checks)
     if (check.holds) list.push_back(check);
   return list;
+}
+
+/// What the ground under contact node by node is, where the case asks for a reduced model.
+std::string ground_text(const Simulation& simulation) {
+  if (simulation.scene().time.scheme != TimeScheme::reduced) return "";
+  const std::string why = why_ground_is_whole(simulation);
+  return why.empty() ? ", on a reduced ground if nested models of it agree" : "; the ground is marched whole: " + why;
 }
 
 std::string error_of(const std::optional<double>& error) {
@@ -279,7 +287,8 @@ std::string details(const Case& input, const Simulation& simulation, const std::
   if (simulation.system().interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene())) + " at " +
             std::to_string(simulation.system().interface->n_nodes()) +
-            " nodes; followed where the bonded caisson would slip or lift at one of them\n";
+            " nodes; followed where the bonded caisson would slip or lift at one of them" + ground_text(simulation) +
+            "\n";
   return text + text_of(explanation(input, simulation, measured), rows_of_explain(),
                         {"records", "flows", "gauges", "wave_loads", "yielding", "skipped"});
 }

@@ -21,6 +21,16 @@ OutputSchema<BondedDemand> demand_outputs() {
       .key("reached", &D::reached, "", "whether one of them comes to its limit within the margin");
 }
 
+OutputSchema<ContactGround> ground_outputs() {
+  using G = ContactGround;
+  return OutputSchema<G>()
+      .key("coordinates", &G::coordinates, "", "coordinates of the ground, besides slip and opening of the nodes")
+      .key("solves", &G::solves, "", "solves of all unknowns that it took to make it")
+      .key("slip", &G::slip, "m", "error of `slip` by nested models")
+      .key("peak_shear", &G::peak_shear, "", "error of peak F_T by nested models, relative")
+      .key("history", &G::history, "", "error of F_T at any time by nested models, over its largest magnitude");
+}
+
 OutputSchema<NodeContact> solved_outputs() {
   using C = NodeContact;
   return OutputSchema<C>()
@@ -42,7 +52,9 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
       .key("open_steps", &C::open_steps, "", "steps in which a node was open")
       .key("impacts", &C::impacts, "", "how often a node closed")
-      .key("fallbacks", &C::fallbacks, "", "contact problems that were solved by the slower method");
+      .key("fallbacks", &C::fallbacks, "", "contact problems that were solved by the slower method")
+      .object("ground", &C::ground, ground_outputs(),
+              "the reduced ground on which contact was solved; null where all unknowns were marched");
 }
 
 OutputSchema<ContactSummary> contact_outputs() {

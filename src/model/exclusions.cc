@@ -173,7 +173,6 @@ std::vector<Row> rows_of_soils() {
 std::vector<Row> rows_of_the_rest() {
   return {{Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
           {Treatment::reduced_model, consolidation, "it needs inertia"},
-          {Treatment::reduced_model, contact, "it does not slip node by node"},
           {Treatment::reduced_model, yielding, "soil that yields has no modes"},
           {Treatment::reduced_model, motion, "a motion that is prescribed is marched"},
           {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},

@@ -389,7 +389,7 @@ bool was_shared(const Checkpointing& checkpoints) {
 }  // namespace
 
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
-                  double part) {
+                  double part, const System* in_place) {
   MarchOptions marching = options;
   const auto monitors =
       options.monitored ? std::make_shared<Monitors>(simulation, was_shared(options.checkpoints)) : nullptr;
@@ -397,7 +397,7 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
     const std::vector<MarchObserver*> first = monitors->observers();
     marching.observers.insert(marching.observers.begin(), first.begin(), first.end());
   }
-  const System& system = simulation.system();
+  const System& system = in_place != nullptr ? *in_place : simulation.system();
   const TimeChoice& time = simulation.scene().time;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);

@@ -61,8 +61,9 @@ Solution run_bonded(const Simulation& simulation, const Marching& marching);
 /// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
 std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& progress);
 
-/// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen.
+/// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen. `in_place`: the
+/// scheme's system where that is not the simulation's own but another one with the same loads, which sets no steps.
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
-                  double part = 1.);
+                  double part = 1., const System* in_place = nullptr);
 
 }  // namespace upbead

@@ -36,18 +36,16 @@ INSTANTIATE_TEST_SUITE_P(Contact, BadContact, testing::ValuesIn(contact_rows), n
 class BadScheme : public InFolder {};
 
 TEST_F(BadScheme, FollowsNoFriction) {
-  for (const auto& [scheme, told] : {std::pair("generalised_alpha", "does not follow friction at the caisson's bottom"),
-                                     {"reduced", "it does not slip node by node"}}) {
-    std::string text = good_case;
-    text.replace(text.find("scheme = \"sdirk4\""), 17, std::string("scheme = \"") + scheme + "\"");
-    text.replace(text.find(caisson), caisson.size(), interface + "{ kind = \"friction\" }\n");
-    write("case.toml", text);
-    try {
-      read_case("case.toml");
-      FAIL() << scheme;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(told), std::string::npos) << error.what();
-    }
+  std::string text = good_case;
+  text.replace(text.find("scheme = \"sdirk4\""), 17, "scheme = \"generalised_alpha\"");
+  text.replace(text.find(caisson), caisson.size(), interface + "{ kind = \"friction\" }\n");
+  write("case.toml", text);
+  try {
+    read_case("case.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("does not follow friction at the caisson's bottom"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -107,6 +107,35 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   EXPECT_EQ(slid.run.contact->history->slip.size(), n * slid.run.contact->history->time.size());
 }
 
+TEST_F(ContactRun, OnAReducedGroundIsThatOfTheWholeOne) {
+  const Solved whole = solve({"loads.impulse.factor=6", friction}),
+               reduced = solve({"loads.impulse.factor=6", friction, "time.scheme=\"reduced\""});
+  const NodeContact &a = *whole.run.summary.contact->solved, &b = *reduced.run.summary.contact->solved;
+  ASSERT_FALSE(a.ground);
+  ASSERT_TRUE(b.ground);
+  EXPECT_LT(b.ground->coordinates, whole.run.summary.discretisation.unknowns / 4);
+  EXPECT_EQ(reduced.run.ladder.back().way, "contact on a reduced ground");
+  const double tolerance = 0.005, F_T = whole.run.summary.response->peak_shear;
+  EXPECT_LE(b.ground->peak_shear, tolerance);
+  EXPECT_LE(b.ground->slip, tolerance * b.largest_slip);
+  EXPECT_NE(a.slip, b.slip);  // else it would be the same march
+  EXPECT_NEAR(a.slip, b.slip, tolerance * a.slip);
+  EXPECT_NEAR(reduced.run.summary.response->peak_shear, F_T, tolerance * F_T);
+  EXPECT_NEAR(b.opening_seaward, a.opening_seaward, 0.01 * a.opening_seaward);
+  EXPECT_NEAR(b.least_normal_force, a.least_normal_force, 0.01 * a.least_normal_force);
+  EXPECT_NEAR(b.dissipated, a.dissipated, 0.01 * a.dissipated);
+  EXPECT_FALSE(reduced.run.summary.energy);
+}
+
+TEST_F(ContactRun, MarchesTheWholeGroundWhereAllCellsAreAskedFor) {
+  const std::vector<std::string> with_fields{"loads.impulse.factor=6", friction, "output.fields={ every = 0.5 }"};
+  std::vector<std::string> by_name = with_fields;
+  by_name.emplace_back("time.scheme=\"reduced\"");
+  const Solved whole = solve(with_fields), asked = solve(by_name);
+  EXPECT_FALSE(asked.run.summary.contact->solved->ground);
+  EXPECT_EQ(asked.run.summary.contact->solved->slip, whole.run.summary.contact->solved->slip);
+}
+
 TEST_F(ContactRun, CoupledSlipIsSkippedWhereTheCaissonSticks) {
   const Solved stuck = solve({});
   ASSERT_TRUE(stuck.run.summary.sliding->coupled);

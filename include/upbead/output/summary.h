@@ -37,6 +37,13 @@ struct BondedDemand {
   bool reached = false;      ///< whether one of the two reaches its limit within the margin
 };
 
+/// The model of the ground with which contact node by node was solved.
+struct ContactGround {
+  int coordinates = 0;                              ///< besides the motions of the nodes
+  int solves = 0;                                   ///< of the whole ground, to make it
+  double slip = 0., peak_shear = 0., history = 0.;  ///< errors of S (m), and of peak F_T and F_T(t), relative
+};
+
 /// What the bottom did, node by node.
 struct NodeContact {
   double slip = 0.;                      ///< S
@@ -46,9 +53,10 @@ struct NodeContact {
   double least_contact = 1., least_normal_force = 0.;
   std::optional<double> first_slip, first_open;
   double dissipated = 0.;
-  int slip_steps = 0, open_steps = 0;  ///< steps in which a node slipped, was open
-  int impacts = 0;                     ///< how often a node closed
-  int fallbacks = 0;                   ///< contact problems that were solved by the slower method
+  int slip_steps = 0, open_steps = 0;   ///< steps in which a node slipped, was open
+  int impacts = 0;                      ///< how often a node closed
+  int fallbacks = 0;                    ///< contact problems that were solved by the slower method
+  std::optional<ContactGround> ground;  ///< none where all unknowns were marched
 };
 
 struct ContactSummary {

@@ -11,6 +11,8 @@
 #include "dynamics/contact.h"
 #include "fem/compile.h"
 #include "fem/static_stage.h"
+#include "run/contact/contact_recorder.h"
+#include "run/contact/reduced_ground.h"
 #include "run/derived.h"
 #include "run/sliding/uplift.h"
 #include "run/yielding_run.h"
@@ -126,69 +128,6 @@ void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
   }
 }
 
-/// Records every step of a march; system and scheme must outlive it.
-class ContactRecorder : public MarchObserver {
- public:
-  ContactRecorder(const System& system, const Scheme& scheme) : system_(system), scheme_(scheme) {}
-  void see(const State& state, int, int) override {
-    const int n = system_.interface->n_nodes();
-    const auto append = [](std::vector<double>& list, const Eigen::Ref<const Vector>& values) {
-      list.insert(list.end(), values.begin(), values.end());
-    };
-    const InterfaceForces& forces = scheme_.contact()->forces;
-    history_.time.push_back(state.time);
-    append(history_.slip, state.x.segment(system_.first_slip(), n));
-    append(history_.opening, state.x.segment(system_.first_opening(), n));
-    append(history_.shear_force, forces.shear);
-    append(history_.normal_force, forces.normal);
-  }
-  ContactHistory history() const {
-    ContactHistory history = history_;
-    history.position = system_.interface->position;
-    history.length = system_.interface->length;
-    return history;
-  }
-  NodeContact summary() const {
-    const std::vector<double>& length = system_.interface->length;
-    const std::size_t n = length.size();
-    double width = 0.;
-    for (const double part : length) width += part;
-    const ContactReport& report = *scheme_.contact();
-    NodeContact out;
-    out.least_normal_force = system_.interface->normal_force.sum();
-    out.dissipated = scheme_.energy().friction;
-    out.slip_steps = report.slip_steps;
-    out.open_steps = report.open_steps;
-    out.impacts = report.impacts;
-    out.fallbacks = report.fallbacks;
-    for (std::size_t t = 0; t < history_.time.size(); ++t) {
-      double slip = 0., contact = 0., normal = 0.;
-      for (std::size_t i = t * n; i < (t + 1) * n; ++i) {
-        slip += history_.slip[i] * length[i - t * n] / width;
-        normal += history_.normal_force[i];
-        if (history_.opening[i] == 0.) contact += length[i - t * n] / width;
-        if (!out.first_slip && history_.slip[i] != 0.) out.first_slip = history_.time[t];
-        if (!out.first_open && history_.opening[i] > 0.) out.first_open = history_.time[t];
-      }
-      out.slip = slip;
-      if (std::abs(slip) > std::abs(out.largest_slip)) out.largest_slip = slip;
-      out.opening_seaward = std::max(out.opening_seaward, history_.opening[t * n]);
-      out.opening_landward = std::max(out.opening_landward, history_.opening[(t + 1) * n - 1]);
-      out.least_contact = std::min(out.least_contact, contact);
-      out.least_normal_force = std::min(out.least_normal_force, normal);
-    }
-    const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
-    out.least_slip =
-        *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    return out;
-  }
-
- private:
-  const System& system_;
-  const Scheme& scheme_;
-  ContactHistory history_;
-};
-
 Ladder joined(Ladder ladder, const Ladder& more) {
   ladder.insert(ladder.end(), more.begin(), more.end());
   return ladder;
@@ -230,14 +169,6 @@ void add_soil_to_node_forces(const Simulation& simulation, const System& system,
     }
 }
 
-/// What the nodes did; friction, weight and demand are those of the whole solution.
-ContactSolution followed_by(const ContactRecorder& recorder) {
-  ContactSolution out;
-  out.found.solved = recorder.summary();
-  out.history = recorder.history();
-  return out;
-}
-
 /// Marches yielding soil with contact, from all starts.
 Solution march_yielding_contact(const Simulation& simulation, const Marching& marching) {
   std::optional<ContactRecorder> recorder;
@@ -248,6 +179,7 @@ Solution march_yielding_contact(const Simulation& simulation, const Marching& ma
 }
 
 Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way) {
+  if (way.reduced) return contact_on_reduced_ground(simulation, marching);
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.system(), true, way.refined);
   ContactRecorder recorder(simulation.system(), *scheme);
   Marching options = marching;
@@ -263,6 +195,17 @@ Solution march_contact(const Simulation& simulation, const Marching& marching, c
     throw NumericsError(std::string(error.what()) +
                         "; without inertia (time.inertia = false) nothing stops a caisson whose friction is exceeded");
   }
+}
+
+}  // namespace
+
+namespace {
+
+/// On a reduced ground where the case asks for it and it can be had, then as marches go.
+std::vector<Way> contact_ways(const Simulation& simulation) {
+  std::vector<Way> ways = ways_to_march(simulation.scene(), "contact");
+  if (reduces_ground(simulation)) ways.insert(ways.begin(), {"contact on a reduced ground", false, 1., true});
+  return ways;
 }
 
 }  // namespace
@@ -292,7 +235,10 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = bonded(system, true);
-  const Simulation bonded = with_system(simulation, tied);
+  Simulation bonded = with_system(simulation, tied);
+  // a reduced ground has errors of its own: where the bonded caisson has none of few modes, it is marched
+  if (simulation.scene().time.scheme == TimeScheme::reduced)
+    bonded = bonded.with([](auto& parts) { parts.scene.time.scheme = TimeScheme::automatic; });
   ObserverFunction reported = progress_observer(marching.beside);
   Marching silent;
   silent.observers = {&reported};
@@ -319,8 +265,8 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   Marching unkept = marching;
   unkept.checkpoints = {};
   const auto solve = [&](const Way& way, const Marching& options) { return march_contact(*moving, options, way); };
-  Solution solved = soil_yields ? march_yielding_contact(*moving, unkept)
-                                : climb(*moving, ways_to_march(simulation.scene(), "contact"), unkept, solve);
+  Solution solved =
+      soil_yields ? march_yielding_contact(*moving, unkept) : climb(*moving, contact_ways(*moving), unkept, solve);
   solved.simulation = moving;
   solved.ladder = joined(before.ladder, solved.ladder);
   solved.timing.factorise += before.timing.factorise;

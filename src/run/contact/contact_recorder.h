@@ -1,0 +1,85 @@
+// What the nodes of an interface do while they are marched.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dynamics/contact.h"
+#include "upbead/dynamics/march.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// Records every step of a march; system and scheme must outlive it.
+class ContactRecorder : public MarchObserver {
+ public:
+  ContactRecorder(const System& system, const Scheme& scheme) : system_(system), scheme_(scheme) {}
+  void see(const State& state, int, int) override {
+    const int n = system_.interface->n_nodes();
+    const auto append = [](std::vector<double>& list, const Eigen::Ref<const Vector>& values) {
+      list.insert(list.end(), values.begin(), values.end());
+    };
+    const InterfaceForces& forces = scheme_.contact()->forces;
+    history_.time.push_back(state.time);
+    append(history_.slip, state.x.segment(system_.first_slip(), n));
+    append(history_.opening, state.x.segment(system_.first_opening(), n));
+    append(history_.shear_force, forces.shear);
+    append(history_.normal_force, forces.normal);
+  }
+  ContactHistory history() const {
+    ContactHistory history = history_;
+    history.position = system_.interface->position;
+    history.length = system_.interface->length;
+    return history;
+  }
+  NodeContact summary() const {
+    const std::vector<double>& length = system_.interface->length;
+    const std::size_t n = length.size();
+    double width = 0.;
+    for (const double part : length) width += part;
+    const ContactReport& report = *scheme_.contact();
+    NodeContact out;
+    out.least_normal_force = system_.interface->normal_force.sum();
+    out.dissipated = scheme_.energy().friction;
+    out.slip_steps = report.slip_steps;
+    out.open_steps = report.open_steps;
+    out.impacts = report.impacts;
+    out.fallbacks = report.fallbacks;
+    for (std::size_t t = 0; t < history_.time.size(); ++t) {
+      double slip = 0., contact = 0., normal = 0.;
+      for (std::size_t i = t * n; i < (t + 1) * n; ++i) {
+        slip += history_.slip[i] * length[i - t * n] / width;
+        normal += history_.normal_force[i];
+        if (history_.opening[i] == 0.) contact += length[i - t * n] / width;
+        if (!out.first_slip && history_.slip[i] != 0.) out.first_slip = history_.time[t];
+        if (!out.first_open && history_.opening[i] > 0.) out.first_open = history_.time[t];
+      }
+      out.slip = slip;
+      if (std::abs(slip) > std::abs(out.largest_slip)) out.largest_slip = slip;
+      out.opening_seaward = std::max(out.opening_seaward, history_.opening[t * n]);
+      out.opening_landward = std::max(out.opening_landward, history_.opening[(t + 1) * n - 1]);
+      out.least_contact = std::min(out.least_contact, contact);
+      out.least_normal_force = std::min(out.least_normal_force, normal);
+    }
+    const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
+    out.least_slip =
+        *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return out;
+  }
+
+ private:
+  const System& system_;
+  const Scheme& scheme_;
+  ContactHistory history_;
+};
+
+/// What the nodes did; friction, weight and demand are those of the whole solution.
+inline ContactSolution followed_by(const ContactRecorder& recorder) {
+  ContactSolution out;
+  out.found.solved = recorder.summary();
+  out.history = recorder.history();
+  return out;
+}
+
+}  // namespace upbead

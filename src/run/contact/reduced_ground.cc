@@ -1,0 +1,167 @@
+#include "run/contact/reduced_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/progress.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "dynamics/interface_space.h"
+#include "fem/caisson/readings.h"
+#include "fem/compile.h"
+#include "response/reduction.h"
+#include "run/contact/contact_recorder.h"
+#include "run/derived.h"
+#include "run/monitors.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// Differences of nested models, which are about the error of the smaller one, count so many times: see
+/// docs/contact.md.
+constexpr double margin = 2.;
+/// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
+constexpr double of_history = 10.;
+
+/// Shows an observer what the coordinates of a model say of the whole state, or of its phi alone, where it wants
+/// states.
+class OfWhole : public MarchObserver {
+ public:
+  OfWhole(const InterfaceModel& model, MarchObserver& observer, bool only_phi)
+      : model_(model), observer_(observer), only_phi_(only_phi) {}
+  void see(const State& state, int step, int n_steps) override {
+    observer_.see(observer_.wants(state.time) ? model_.whole(state, only_phi_) : state, step, n_steps);
+  }
+  bool wants(double time) const override { return observer_.wants(time); }
+
+ private:
+  const InterfaceModel& model_;
+  MarchObserver& observer_;
+  bool only_phi_;
+};
+
+/// F_T at the ends of steps.
+Eigen::RowVectorXd shear_of(const Simulation& simulation, const Solution& solution) {
+  return solution.response.ends.reading.row(simulation.system().reading(reading::shear_force));
+}
+
+/// What one model answers.
+struct ContactAnswer {
+  Solution solution;
+  Eigen::RowVectorXd shear;
+  double slip = 0.;
+};
+
+ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& model, const Marching& marching) {
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system);
+  ContactRecorder recorder(model.system, *scheme);
+  const auto monitors = std::make_shared<Monitors>(simulation);
+  std::list<OfWhole> others;
+  for (MarchObserver* observer : marching.observers) others.emplace_back(model, *observer, false);
+  if (monitors->pressure) others.emplace_back(model, *monitors->pressure, true);
+  Marching options = marching;
+  options.monitored = false;
+  options.observers = {&recorder};
+  for (OfWhole& observer : others) options.observers.push_back(&observer);
+  ContactAnswer answer{march_by(*scheme, simulation,
+                                "bonded, the caisson would slip or lift at some node; the ground is "
+                                "linear, and a reduced model stands for it",
+                                options, 1., &model.system),
+                       {},
+                       0.};
+  Solution& solution = answer.solution;
+  solution.response = model.read(std::move(solution.response));
+  solution.response.final_state = model.whole(solution.response.final_state, false);
+  if (const std::optional<Mismatch> off = imbalance(simulation, solution)) throw NumericsError(Imbalance(*off).what());
+  solution.contact = followed_by(recorder);
+  solution.contact->found.solved->dissipated = solution.response.energy.back().friction;
+  solution.response.energy.clear();  // W has no coordinates of its own: its drag would count as damping
+  solution.monitors = monitors;
+  answer.shear = shear_of(simulation, solution);
+  answer.slip = solution.contact->found.solved->slip;
+  return answer;
+}
+
+/// The differences of two answers, with their margin. Steps of both are at the same times but where one of them leapt.
+ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse) {
+  ContactGround ground;
+  const std::vector<double>&time = fine.solution.response.ends.time, &other = coarse.solution.response.ends.time;
+  const double largest = fine.shear.cwiseAbs().maxCoeff();
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    while (j + 1 < other.size() && other[j] < time[i] - 1e-9) ++j;
+    if (std::abs(other[j] - time[i]) > 1e-9) continue;
+    const double apart = fine.shear[static_cast<Eigen::Index>(i)] - coarse.shear[static_cast<Eigen::Index>(j)];
+    ground.history = std::max(ground.history, std::abs(apart));
+  }
+  const double peak = std::max(std::abs(fine.shear.maxCoeff() - coarse.shear.maxCoeff()),
+                               std::abs(fine.shear.minCoeff() - coarse.shear.minCoeff()));
+  ground.slip = margin * std::abs(fine.slip - coarse.slip);
+  ground.peak_shear = largest > 0. ? margin * peak / largest : 0.;
+  ground.history *= largest > 0. ? margin / largest : 0.;
+  return ground;
+}
+
+/// Whether these errors are within what the scene allows of the answer.
+bool meets(const ContactGround& error, const ContactAnswer& answer, double tolerance) {
+  const double slip = std::abs(answer.solution.contact->found.solved->largest_slip);
+  return error.peak_shear <= tolerance && error.slip <= tolerance * slip && error.history <= of_history * tolerance;
+}
+
+}  // namespace
+
+std::string why_ground_is_whole(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const System& system = simulation.system();
+  if (yields(scene)) return "soil yields";
+  if (!scene.time.inertia) return "consolidation is marched";
+  if (simulation.processes()) return "several processes share the work";
+  if (!simulation.compiled()->caisson) return "there is no caisson";
+  if (!system.interface || system.n_prescribed != 2 * system.interface->n_nodes()) return "a motion is prescribed";
+  if (scene.time.stop_at_energy) return "it shall stop early";
+  if (scene.fields_every || has_strength(scene) || builds_pressure(scene) || scene.limits.liquefaction)
+    return "the case asks for what is found in all cells";
+  if (simulation.accuracy() || scene.accuracy.estimate) return "the case asks for the error by cells and steps";
+  return "";
+}
+
+bool reduces_ground(const Simulation& simulation) {
+  return simulation.scene().time.scheme == TimeScheme::reduced && why_ground_is_whole(simulation).empty();
+}
+
+Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching) {
+  const Stopwatch watch;
+  const CompiledScene& compiled = *simulation.compiled();
+  const double tolerance = whole_tolerance(simulation);
+  InterfaceSpace space(compiled.system, krylov_shift(simulation.scene()), compiled.body_coordinates,
+                       compiled.caisson_motions);
+  std::optional<ContactAnswer> before;
+  ContactGround error;
+  for (int level = 0; level < InterfaceSpace::n_levels; ++level) {
+    if (level > 0) space.extend();
+    const InterfaceModel model = space.model();
+    ContactAnswer answer = answer_of(simulation, model, marching);
+    if (before) {
+      error = difference(answer, *before);
+      error.coordinates = model.system.n_free();
+      error.solves = space.n_solves();
+      if (meets(error, answer, tolerance)) {
+        answer.solution.contact->found.solved->ground = error;
+        answer.solution.timing.march = watch.seconds();
+        return std::move(answer.solution);
+      }
+    }
+    before = std::move(answer);
+  }
+  throw NumericsError("nested models of the ground differ by " + significant(error.slip) + " m in S, " +
+                      significant(error.peak_shear) + " of the peak of F_T, and " + significant(error.history) +
+                      " of its largest magnitude at some time");
+}
+
+}  // namespace upbead
