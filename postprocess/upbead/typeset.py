@@ -9,13 +9,14 @@ LETTERS = {
 }  # fmt: skip
 GREEK = re.compile(rf"(?<![A-Za-z0-9_./])({'|'.join(LETTERS)})(?![A-Za-z])(?!\.\w|_[A-Za-z]*_|_[a-z]{{4}})")
 POWER = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([-+]?)0*(\d+)(?![\w.])")
-DERIVED = re.compile(r"(?<![A-Za-z0-9_])([xuyz])(_[A-Za-z])?(''|')(?![A-Za-z'])")
-PRIME = re.compile(r"(?<![A-Za-z0-9_'])([A-Zcφhe])'(?![A-Za-z'])")
+QUOTE = "\ue000"  # stands for an escaped quotation mark, which stays one where it is no prime
+DERIVED = re.compile(rf"(?<![A-Za-z0-9_])([xuyz])(_[A-Za-z])?(['{QUOTE}]{{1,2}})(?![A-Za-z'{QUOTE}])")
+PRIME = re.compile(rf"(?<![A-Za-z0-9_'{QUOTE}])([A-Zcφhe])['{QUOTE}](?![A-Za-z'{QUOTE}])")
 LOW = r"1/3|1/10|Smax|CAL|heel|toe|front|back|water(?:,front)?|[A-Za-z0-9]{1,3}"
 SYMBOL = re.compile(rf"(?<![A-Za-z0-9_./])([A-Za-zαβγδεηθκλμνξπρστφψω][\u0307\u0308′]?)_({LOW})(?![A-Za-z0-9_]|\.\w)")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SIGNS = (("&lt;=", "≤"), ("&gt;=", "≥"), ("sqrt(", "√("), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"))
-DOTS = {"'": "\u0307", "''": "\u0308"}
+DOTS = {1: "\u0307", 2: "\u0308"}
 PIECE = re.compile(r"(<[^>]*>)")
 TAG = re.compile(r"</?([a-zA-Z0-9]+)")
 LEFT_ALONE = {"code", "pre", "script", "style", "title", "textarea"}
@@ -23,13 +24,13 @@ LEFT_ALONE = {"code", "pre", "script", "style", "title", "textarea"}
 
 def letters(text):
     """Greek letters, powers and signs of an HTML text; no subscripts, which an SVG has no simple way for."""
-    text = text.replace("&#x27;", "'")
+    text = text.replace("&#x27;", QUOTE)
     for ascii_, sign in SIGNS:
         text = text.replace(ascii_, sign)
     text = GREEK.sub(lambda found: LETTERS[found[1]], text)
     text = POWER.sub(lambda found: f"{found[1]} × 10{('-' * (found[2] == '-') + found[3]).translate(RAISED)}", text)
-    text = DERIVED.sub(lambda found: found[1] + DOTS[found[3]] + (found[2] or ""), text)
-    return PRIME.sub(r"\1′", text)
+    text = DERIVED.sub(lambda found: found[1] + DOTS[len(found[3])] + (found[2] or ""), text)
+    return PRIME.sub(r"\1′", text).replace(QUOTE, "&#x27;")
 
 
 def words(text):
