@@ -13,13 +13,16 @@ namespace {
 /// The fewest vectors of each start from one look to the next, as in basis.cc.
 constexpr int vectors_of_each = 6;
 
-int first_vectors() {
-  return ReduceOptions().first_vectors;
+/// Vectors of that many starts at a look.
+int vectors_at(std::size_t number, int n_starts) {
+  int n = ReduceOptions().first_vectors * n_starts;
+  for (std::size_t i = 0; i < number; ++i) n += std::max(vectors_of_each * n_starts, n / 4);
+  return n;
 }
 
-/// So many vectors of each start has the look after the one with n.
-int after(int n) {
-  return n + std::max(vectors_of_each, n / 4);
+/// Vectors of each of them, rounded up: no look has fewer than the space of all starts together would have.
+int vectors_of_each_at(std::size_t number, int n_starts) {
+  return (vectors_at(number, n_starts) + n_starts - 1) / n_starts;
 }
 
 /// The first directions, with room for more.
@@ -105,7 +108,7 @@ void SlipBasis::grow_own(int n_vectors, const std::function<void(int)>& progress
 }
 
 void SlipBasis::prepare() {
-  grow_own(first_vectors(), {});
+  grow_own(vectors_of_each_at(0, n_independent_loads()), {});
 }
 
 void SlipBasis::take_bonded(const Look& of_bonded, int n_vectors) {
@@ -159,8 +162,7 @@ ReducedSystem SlipBasis::with_slip() const {
 }
 
 Look SlipBasis::next_look(const std::function<void(int)>& progress) {
-  int n = first_vectors();
-  for (std::size_t i = 0; i < looks_.size(); ++i) n = after(n);
+  const int n = vectors_of_each_at(looks_.size(), n_independent_loads());
   const int of_loads = n * bonded_->n_independent_loads();
   const Look& of_bonded = bonded_->reach(of_loads, progress);
   grow_own(n, [&](int n_own) {
@@ -173,7 +175,7 @@ Look SlipBasis::next_look(const std::function<void(int)>& progress) {
   look.n_vectors = std::min(of_loads, of_bonded.n_vectors) + own_.n_vectors();
   look.n_solves = std::min(of_loads, of_bonded.n_solves) + own_.n_solves();
   look.exhausted = exhausted_ && of_bonded.n_vectors <= of_loads && of_bonded.exhausted;
-  look.next = after(n) * n_independent_loads();
+  look.next = vectors_at(looks_.size() + 1, n_independent_loads());
   look.n_displacements = u_.n();
   look.n_phi = phi_.n();
   look.system = with_slip();
