@@ -1,11 +1,14 @@
 // Claims: the slip of a caisson is the same to the last bit whether it was prepared on another core or not; it is
-// prepared only if the loads exceed friction; a preparation that is not used has no effect.
+// prepared only if the loads exceed friction; a preparation that is not used has no effect; it is the same to the last
+// bit with the vectors that another wave on the same scene has left.
 #include "run/sliding/slip_ahead.h"
 
 #include <cstdlib>
 #include <memory>
 
 #include "base/cores.h"
+#include "case/case_run.h"
+#include "dynamics/basis.h"
 #include "good_case.h"
 #include "run/derived.h"
 #include "section_case.h"
@@ -65,6 +68,24 @@ TEST_F(SlipAheadRun, IsTheSameAsSlipAfterwards) {
     EXPECT_EQ(a->history->normal_force, b->history->normal_force);
     EXPECT_EQ(alone.response.ends.reading, beside.response.ends.reading);
   }
+}
+
+TEST_F(SlipAheadRun, IsTheSameBesideTheBasisOfAnotherWave) {
+  static const PetscSession petsc;
+  const Case other = read_case("case.toml", {"loads.impulse.factor=10", "time.scheme='reduced'"});
+  const Case problem = read_case("case.toml", {"loads.impulse.factor=8", "time.scheme='reduced'"});
+  const Simulation before = with_room(simulation_of(other));
+  ASSERT_TRUE(upbead::solve(other, before).summary.sliding->coupled);
+  ASSERT_TRUE(before.room()->slip());
+  const Simulation after = simulation_after(&before, problem, before.mesh());
+  ASSERT_EQ(after.room(), before.room());
+  EXPECT_FALSE(slip_ahead(after)) << "nothing is left to do";
+  const upbead::Run shared = upbead::solve(problem, after), alone = upbead::solve(problem, simulation_of(problem));
+  const auto &a = alone.summary.sliding->coupled, &b = shared.summary.sliding->coupled;
+  ASSERT_TRUE(a && b && a->history && b->history);
+  EXPECT_EQ(a->vectors, b->vectors);
+  EXPECT_EQ(a->history->slip, b->history->slip);
+  EXPECT_EQ(a->history->normal_force, b->history->normal_force);
 }
 
 TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
