@@ -24,8 +24,9 @@ namespace upbead {
 namespace {
 
 /// Differences of nested models, which are about the error of the smaller one, count so many times: see
-/// docs/contact.md.
-constexpr double margin = 2.;
+/// docs/reference/methods.md. Of S and of the peak, in which two models may agree by chance, at least this share of the
+/// largest difference of F_T at any time is told.
+constexpr double margin = 3., least_share = 0.25;
 /// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
 constexpr double of_history = 10.;
 
@@ -97,14 +98,16 @@ ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse)
   for (std::size_t i = 0; i < time.size(); ++i) {
     while (j + 1 < other.size() && other[j] < time[i] - 1e-9) ++j;
     if (std::abs(other[j] - time[i]) > 1e-9) continue;
-    const double apart = fine.shear[static_cast<Eigen::Index>(i)] - coarse.shear[static_cast<Eigen::Index>(j)];
-    ground.history = std::max(ground.history, std::abs(apart));
+    const double now = fine.shear[static_cast<Eigen::Index>(i)] - coarse.shear[static_cast<Eigen::Index>(j)];
+    ground.history = std::max(ground.history, std::abs(now));
   }
   const double peak = std::max(std::abs(fine.shear.maxCoeff() - coarse.shear.maxCoeff()),
                                std::abs(fine.shear.minCoeff() - coarse.shear.minCoeff()));
-  ground.slip = margin * std::abs(fine.slip - coarse.slip);
-  ground.peak_shear = largest > 0. ? margin * peak / largest : 0.;
-  ground.history *= largest > 0. ? margin / largest : 0.;
+  const double apart = largest > 0. ? ground.history / largest : 0.;
+  const double slip = std::abs(fine.solution.contact->found.solved->largest_slip);
+  ground.slip = std::max(margin * std::abs(fine.slip - coarse.slip), least_share * apart * slip);
+  ground.peak_shear = largest > 0. ? std::max(margin * peak / largest, least_share * apart) : 0.;
+  ground.history = margin * apart;
   return ground;
 }
 
