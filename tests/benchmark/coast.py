@@ -11,6 +11,8 @@ With --folder it goes on where it was stopped. Writes coast.csv (processor secon
 import argparse
 import csv
 import heapq
+import json
+import math
 import os
 import pathlib
 import statistics
@@ -26,16 +28,17 @@ START = 0.35  # s of a process, whatever it computes
 
 
 def part(arguments, folder, k):
-    """(processor seconds, bytes of the journal) of one part."""
+    """(processor seconds, bytes of the journal) of one part; nan seconds of one that an earlier call had begun."""
     command = [arguments.program.resolve(), "study", STUDY, "--set", f"n={arguments.sections}", "--part", f"{k}/{arguments.parts}",
-               "--jobs", "1", "--out", folder]
-    process = subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+               "--jobs", "1", "--json", "--out", folder]
+    process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                                env={**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"})
+    told = json.loads(process.stdout.read())
     _, status, used = os.wait4(process.pid, 0)
     if os.waitstatus_to_exitcode(status) not in (0, 2):
         raise SystemExit(f"part {k} ended with {os.waitstatus_to_exitcode(status)}")
     journal = sum(path.stat().st_size for path in (folder / "journal").glob(f"*part-{k}-of-*"))
-    return used.ru_utime + used.ru_stime, journal
+    return math.nan if told["resumed"] else used.ru_utime + used.ru_stime, journal
 
 
 def measured(arguments, folder):
@@ -50,13 +53,15 @@ def measured(arguments, folder):
         rows = list(csv.DictReader(file))
     failed = sum(row["status"] != "done" for row in rows)
     unknowns = sorted(int(row["discretisation.unknowns"]) for row in rows if row["discretisation.unknowns"])
-    each = sum(seconds for seconds, _ in parts) / arguments.sections
+    size = arguments.sections / arguments.parts
+    costs = [seconds / size for seconds, _ in parts if math.isfinite(seconds)]
+    each = statistics.mean(costs)
     stored = (sum(size for _, size in parts) + tables) / arguments.sections
     print(f"{arguments.sections} sections in {arguments.parts} parts, {failed} failed; unknowns {unknowns[0]} to {unknowns[-1]}, "
           f"median {unknowns[len(unknowns) // 2]}")
-    print(f"a section: {each:.2f} s of processor time, {stored:.0f} bytes in journals and tables")
+    print(f"a section: {each:.2f} s of processor time (by {len(costs)} parts, {min(costs):.2f} to {max(costs):.2f}), {stored:.0f} bytes in journals and tables")
     print(f"{COAST:,} sections: {each * COAST / 3600:.1f} h of one core, {stored * COAST / 1e6:.0f} MB")
-    return [seconds / (arguments.sections / arguments.parts) for seconds, _ in parts]
+    return costs
 
 
 def makespan(tasks, cores, load, longest, seed):
@@ -110,7 +115,7 @@ def main():
     if arguments.seconds:
         with open(arguments.seconds, newline="") as file:
             parts = [float(row["processor_seconds"]) for row in csv.DictReader(file)]
-        each = [seconds / (arguments.sections / len(parts)) for seconds in parts]
+        each = [seconds / (arguments.sections / len(parts)) for seconds in parts if math.isfinite(seconds)]
     elif arguments.folder:
         each = measured(arguments, arguments.folder)
     else:
