@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -208,18 +209,32 @@ int tell_failure() {
   }
 }
 
+namespace {
+
+/// How many of the same kind are farther from their limit, or as far and earlier.
+std::ptrdiff_t worse_ones(const NumberedWarnings& warnings, const NumberedWarning& one) {
+  const auto distance = [](const NumberedWarning& w) { return std::abs(w.value - w.limit); };
+  return std::count_if(warnings.begin(), warnings.end(), [&](const NumberedWarning& other) {
+    return other.name == one.name && other.cure == one.cure &&
+           (distance(other) > distance(one) || (!(distance(other) < distance(one)) && &other < &one));
+  });
+}
+
+}  // namespace
+
 std::string describe(const NumberedWarnings& warnings) {
-  constexpr int most = 3;  // of a kind; a design of many waves has the same warning for each
+  constexpr int most = 3;  // of a kind, the worst ones: a design of many waves has the same for each
   const std::string head = "warning: ", indent(head.size(), ' ');
-  std::map<std::pair<std::string, std::string>, int> seen;  // by name and cure
+  std::map<std::pair<std::string, std::string>, int> left_out;  // by name and cure
   std::string text;
   for (const NumberedWarning& warning : warnings)
-    if (++seen[{warning.name, warning.cure}] <= most)
+    if (worse_ones(warnings, warning) < most)
       text +=
           head + warning.name + ": " + (warning.cure.empty() ? "" : warning.cure + "\n" + indent) + warning.what + "\n";
-  for (const auto& [kind, count] : seen)
-    if (count > most)
-      text += head + kind.first + ": " + std::to_string(count - most) + " more of this kind, all in --json\n";
+    else
+      ++left_out[{warning.name, warning.cure}];
+  for (const auto& [kind, count] : left_out)
+    text += head + kind.first + ": " + std::to_string(count) + " more of this kind, all in --json\n";
   return text;
 }
 

@@ -210,7 +210,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   };
   const bool adds_bodies = scene.time.inertia && share.bodies;
   std::optional<BaseSprings> springs;
-  if (forces && share.bodies && is_on_springs(space))
+  if (forces && is_on_springs(space))
     springs.emplace(scene.regions.at(caisson_name), space, unknowns, bodies, *find_caisson(space));
   const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
   for (const auto& cell : space.dofs().active_cell_iterators())

@@ -1,4 +1,5 @@
 // What the bottom does node by node, where the caisson may slip and lift.
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -28,7 +29,8 @@ OutputSchema<ContactGround> ground_outputs() {
       .key("solves", &G::solves, "", "solves of all unknowns that it took to make it")
       .key("slip", &G::slip, "m", "error of `slip` by nested models")
       .key("peak_shear", &G::peak_shear, "", "error of peak F_T by nested models, relative")
-      .key("history", &G::history, "", "error of F_T at any time by nested models, over its largest magnitude");
+      .key("history", &G::history, "", "error of F_T at any time by nested models, over its largest magnitude")
+      .key("others", &G::others, "", "largest error of another reading by nested models, over its peak");
 }
 
 OutputSchema<NodeContact> solved_outputs() {
@@ -81,8 +83,26 @@ SkippedList skipped_nodes(const Evidence&, const Summary& summary) {
   return {{"contact node by node", why_bonded(*summary.contact)}};
 }
 
-NumberedWarnings warnings_of_impacts(const Evidence& e, const Summary&) {
-  return impact_warnings(e.solution);
+/// Warning reading_not_converged, of a reduced ground.
+NumberedWarnings warnings_of_ground(const Summary& summary) {
+  if (!summary.contact || !summary.contact->solved || !summary.contact->solved->ground) return {};
+  const ContactGround& ground = *summary.contact->solved->ground;
+  if (ground.inexact.empty()) return {};
+  constexpr std::size_t most = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, ground.inexact.size()); ++i)
+    names += (i > 0 ? ", " : "") + ground.inexact[i].name;
+  if (ground.inexact.size() > most) names += " and " + std::to_string(ground.inexact.size() - most) + " more";
+  return {{"reading_not_converged", ground.others, ground.tolerance_of_others, "1",
+           "on the reduced ground S and F_T are within their tolerance, but " + names + " err by up to " +
+               percent(ground.others) + " of their peaks",
+           "write time.scheme = \"auto\" where these readings matter"}};
+}
+
+NumberedWarnings warnings_of_contact(const Evidence& e, const Summary& summary) {
+  NumberedWarnings list = impact_warnings(e.solution);
+  append(list, warnings_of_ground(summary));
+  return list;
 }
 
 }  // namespace
@@ -104,7 +124,7 @@ Finding contact_finding() {
     s.object("contact", &Summary::contact, contact_outputs(),
              "[slip and uplift node by node](contact.md); null where the bottom is bonded");
   };
-  f.warnings = warnings_of_impacts;
+  f.warnings = warnings_of_contact;
   f.skipped = skipped_nodes;
   return f.part(&Summary::contact, find_contact);
 }

@@ -32,7 +32,7 @@ struct Multiples {
 struct Depths {
   Harmonics cosh, sinh;
   Depths(const StandingInstant& s, double y) {
-    const Harmonics up = (s.j * y).exp(), down = s.decay / up;
+    const Harmonics up = (s.j * y).exp(), down = (-s.j * (y + 2. * s.K)).exp();
     cosh = (up + down) / (1. + s.decay);
     sinh = (up - down) / (1. + s.decay);
   }
@@ -98,6 +98,7 @@ StandingInstant StandingSeries::at(double tau) const {
   s.eta_tau = -(a.transpose() * (s.j * t.sin).matrix()).array();
   s.phi = (b.transpose() * t.sin.matrix()).array();
   s.phi_tau = (b.transpose() * (s.j * t.cos).matrix()).array();
+  s.K = K;
   s.omega = frequency();
   s.c = c;
   return s;
@@ -175,7 +176,7 @@ Eigen::MatrixXd rows_of_time(const StandingSeries& s, const StandingInstant& t, 
     const AtSurface p(t, x);
     const double u_y = -(j2 * t.phi * p.sinh_sin).sum(), v_y = (j2 * t.phi * p.cosh_cos).sum();
     const double phi_tau_y = (t.j * t.phi_tau * p.sinh_cos).sum();
-    const Harmonics up = (t.j * p.eta).exp(), C_K = 0.5 * by_K * (up - 1. / up), S_K = 0.5 * by_K * (up + 1. / up);
+    const Harmonics C_K = by_K * (t.j * p.eta).sinh(), S_K = by_K * (t.j * p.eta).cosh();
     const double u_K = -(t.j * t.phi * C_K * x.sin).sum(), v_K = (t.j * t.phi * S_K * x.cos).sum();
     const double phi_tau_K = (t.phi_tau * C_K * x.cos).sum();
     const SurfaceConditions left = p.left(t);

@@ -26,7 +26,7 @@ struct StandingInstant {
   OfHarmonics j, decay;      ///< the harmonics, and exp(-2 j K)
   OfHarmonics eta, eta_tau;  ///< of cos jx
   OfHarmonics phi, phi_tau;  ///< of cos jx cosh j(y + K) / cosh jK
-  double omega = 0., c = 0.;
+  double K = 0., omega = 0., c = 0.;
 
   double surface(double x) const;             ///< eta
   double pressure(double x, double y) const;  ///< below the surface; includes -y of still water

@@ -33,12 +33,12 @@ def part(arguments, folder, k):
                "--jobs", "1", "--json", "--out", folder]
     process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                                env={**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"})
-    told = json.loads(process.stdout.read())
+    told = process.stdout.read()
     _, status, used = os.wait4(process.pid, 0)
     if os.waitstatus_to_exitcode(status) not in (0, 2):
         raise SystemExit(f"part {k} ended with {os.waitstatus_to_exitcode(status)}")
     journal = sum(path.stat().st_size for path in (folder / "journal").glob(f"*part-{k}-of-*"))
-    return math.nan if told["resumed"] else used.ru_utime + used.ru_stime, journal
+    return math.nan if json.loads(told)["resumed"] else used.ru_utime + used.ru_stime, journal
 
 
 def measured(arguments, folder):

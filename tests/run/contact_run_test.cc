@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "good_case.h"
+#include "run/monitors.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
@@ -107,6 +109,24 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   EXPECT_EQ(slid.run.contact->history->slip.size(), n * slid.run.contact->history->time.size());
 }
 
+/// The peak of every reading is that of the march within the tolerance, or the ground names the reading.
+void expect_told(const upbead::Run& march, const upbead::Run& reduced, const ContactGround& ground) {
+  const std::vector<Reading>& readings = march.simulation->system().readings;
+  std::map<std::string, double> largest;
+  const auto peak = [](const upbead::Run& run, std::size_t i) {
+    return run.response.ends.reading.row(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff();
+  };
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    largest[readings[i].unit] = std::max(largest[readings[i].unit], peak(march, i));
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const std::string name = readings[i].name.text();
+    const bool named = std::any_of(ground.inexact.begin(), ground.inexact.end(),
+                                   [&](const InexactReading& reading) { return reading.name == name; });
+    if (named || peak(march, i) < 1e-6 * largest[readings[i].unit]) continue;
+    EXPECT_NEAR(peak(reduced, i), peak(march, i), ground.tolerance_of_others * peak(march, i)) << name;
+  }
+}
+
 TEST_F(ContactRun, OnAReducedGroundIsThatOfTheWholeOne) {
   const Solved whole = solve({"loads.impulse.factor=6", friction}),
                reduced = solve({"loads.impulse.factor=6", friction, "time.scheme=\"reduced\""});
@@ -125,6 +145,9 @@ TEST_F(ContactRun, OnAReducedGroundIsThatOfTheWholeOne) {
   EXPECT_NEAR(b.least_normal_force, a.least_normal_force, 0.01 * a.least_normal_force);
   EXPECT_NEAR(b.dissipated, a.dissipated, 0.01 * a.dissipated);
   EXPECT_FALSE(reduced.run.summary.energy);
+  const LeastPressure &p = *whole.run.monitors->pressure, &q = *reduced.run.monitors->pressure;
+  EXPECT_NEAR(q.value(), p.value(), 0.02 * atmosphere);
+  expect_told(whole.run, reduced.run, *b.ground);
 }
 
 TEST_F(ContactRun, MarchesTheWholeGroundWhereAllCellsAreAskedFor) {

@@ -42,6 +42,9 @@ struct ContactGround {
   int coordinates = 0;                              ///< besides the motions of the nodes
   int solves = 0;                                   ///< of the whole ground, to make it
   double slip = 0., peak_shear = 0., history = 0.;  ///< errors of S (m), and of peak F_T and F_T(t), relative
+  double others = 0.;                               ///< largest of all other readings, over its peak
+  std::vector<InexactReading> inexact;              ///< those that do not meet their tolerance
+  double tolerance_of_others = 0.;
 };
 
 /// What the bottom did, node by node.

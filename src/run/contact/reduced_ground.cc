@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "base/progress.h"
@@ -29,15 +31,17 @@ namespace {
 constexpr double margin = 3., least_share = 0.25;
 /// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
 constexpr double of_history = 10.;
+/// Of the largest reading of its unit: a reading below is zero.
+constexpr double round_off = 1e-6;
 
-/// Shows an observer what the coordinates of a model say of the whole state, or of its phi alone, where it wants
-/// states.
+/// Shows an observer what the coordinates of a model say of the whole state where it wants states; or of its phi alone,
+/// always: the coordinates themselves would say nothing to it.
 class OfWhole : public MarchObserver {
  public:
   OfWhole(const InterfaceModel& model, MarchObserver& observer, bool only_phi)
       : model_(model), observer_(observer), only_phi_(only_phi) {}
   void see(const State& state, int step, int n_steps) override {
-    observer_.see(observer_.wants(state.time) ? model_.whole(state, only_phi_) : state, step, n_steps);
+    observer_.see(only_phi_ || observer_.wants(state.time) ? model_.whole(state, only_phi_) : state, step, n_steps);
   }
   bool wants(double time) const override { return observer_.wants(time); }
 
@@ -47,15 +51,9 @@ class OfWhole : public MarchObserver {
   bool only_phi_;
 };
 
-/// F_T at the ends of steps.
-Eigen::RowVectorXd shear_of(const Simulation& simulation, const Solution& solution) {
-  return solution.response.ends.reading.row(simulation.system().reading(reading::shear_force));
-}
-
 /// What one model answers.
 struct ContactAnswer {
   Solution solution;
-  Eigen::RowVectorXd shear;
   double slip = 0.;
 };
 
@@ -74,7 +72,6 @@ ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& mode
                                 "bonded, the caisson would slip or lift at some node; the ground is "
                                 "linear, and a reduced model stands for it",
                                 options, 1., &model.system),
-                       {},
                        0.};
   Solution& solution = answer.solution;
   solution.response = model.read(std::move(solution.response));
@@ -84,30 +81,62 @@ ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& mode
   solution.contact->found.solved->dissipated = solution.response.energy.back().friction;
   solution.response.energy.clear();  // W has no coordinates of its own: its drag would count as damping
   solution.monitors = monitors;
-  answer.shear = shear_of(simulation, solution);
   answer.slip = solution.contact->found.solved->slip;
   return answer;
 }
 
-/// The differences of two answers, with their margin. Steps of both are at the same times but where one of them leapt.
-ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse) {
-  ContactGround ground;
-  const std::vector<double>&time = fine.solution.response.ends.time, &other = coarse.solution.response.ends.time;
-  const double largest = fine.shear.cwiseAbs().maxCoeff();
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    while (j + 1 < other.size() && other[j] < time[i] - 1e-9) ++j;
-    if (std::abs(other[j] - time[i]) > 1e-9) continue;
-    const double now = fine.shear[static_cast<Eigen::Index>(i)] - coarse.shear[static_cast<Eigen::Index>(j)];
-    ground.history = std::max(ground.history, std::abs(now));
+/// The largest difference of each reading at the times that both answers have: all but where one of them leapt.
+Eigen::VectorXd differences(const Series& fine, const Series& coarse) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(fine.reading.rows());
+  std::size_t j = 0, shared = 0;
+  for (std::size_t i = 0; i < fine.time.size(); ++i) {
+    while (j + 1 < coarse.time.size() && coarse.time[j] < fine.time[i] - 1e-9) ++j;
+    if (std::abs(coarse.time[j] - fine.time[i]) > 1e-9) continue;
+    ++shared;
+    largest = largest.cwiseMax(
+        (fine.reading.col(static_cast<Eigen::Index>(i)) - coarse.reading.col(static_cast<Eigen::Index>(j))).cwiseAbs());
   }
-  const double peak = std::max(std::abs(fine.shear.maxCoeff() - coarse.shear.maxCoeff()),
-                               std::abs(fine.shear.minCoeff() - coarse.shear.minCoeff()));
-  const double apart = largest > 0. ? ground.history / largest : 0.;
+  if (2 * shared < fine.time.size()) throw NumericsError("nested models of the ground were marched at other times");
+  return largest;
+}
+
+/// Of all readings but F_T, over their own peaks, the worst first; one that is round-off beside others of its unit has
+/// none.
+void find_inexact(const System& system, const Eigen::VectorXd& apart, const Eigen::VectorXd& peak,
+                  ContactGround& ground) {
+  std::map<std::string, double> largest;
+  for (std::size_t i = 0; i < system.readings.size(); ++i)
+    largest[system.readings[i].unit] = std::max(largest[system.readings[i].unit], peak[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < system.readings.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (peak[row] <= round_off * largest[system.readings[i].unit]) continue;
+    const double error = margin * apart[row] / peak[row];
+    const std::string name = system.readings[i].name.text();
+    if (name == reading::shear_force) continue;
+    ground.others = std::max(ground.others, error);
+    if (error > ground.tolerance_of_others) ground.inexact.push_back({name, error});
+  }
+  std::sort(ground.inexact.begin(), ground.inexact.end(),
+            [](const InexactReading& a, const InexactReading& b) { return a.error > b.error; });
+}
+
+/// The differences of two answers, with their margin.
+ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse, double tolerance) {
+  const System& system = fine.solution.simulation->system();
+  const Series &ends = fine.solution.response.ends, &before = coarse.solution.response.ends;
+  const Eigen::VectorXd apart = differences(ends, before), peaks = ends.reading.cwiseAbs().rowwise().maxCoeff();
+  const Eigen::Index row = system.reading(reading::shear_force);
+  const auto shear = ends.reading.row(row), other = before.reading.row(row);
+  const double peak =
+      std::max(std::abs(shear.maxCoeff() - other.maxCoeff()), std::abs(shear.minCoeff() - other.minCoeff()));
+  const double history = peaks[row] > 0. ? apart[row] / peaks[row] : 0.;
   const double slip = std::abs(fine.solution.contact->found.solved->largest_slip);
-  ground.slip = std::max(margin * std::abs(fine.slip - coarse.slip), least_share * apart * slip);
-  ground.peak_shear = largest > 0. ? std::max(margin * peak / largest, least_share * apart) : 0.;
-  ground.history = margin * apart;
+  ContactGround ground;
+  ground.slip = std::max(margin * std::abs(fine.slip - coarse.slip), least_share * history * slip);
+  ground.peak_shear = peaks[row] > 0. ? std::max(margin * peak / peaks[row], least_share * history) : 0.;
+  ground.history = margin * history;
+  ground.tolerance_of_others = of_history * tolerance;
+  find_inexact(system, apart, peaks, ground);
   return ground;
 }
 
@@ -151,7 +180,7 @@ Solution contact_on_reduced_ground(const Simulation& simulation, const Marching&
     const InterfaceModel model = space.model();
     ContactAnswer answer = answer_of(simulation, model, marching);
     if (before) {
-      error = difference(answer, *before);
+      error = difference(answer, *before, tolerance);
       error.coordinates = model.system.n_free();
       error.solves = space.n_solves();
       if (meets(error, answer, tolerance)) {
