@@ -96,7 +96,7 @@ def force_caption(result):
             "Shear force at the bottom $F_T$ against the friction that holds it on either side, $μ (W′ − U)$: the uplift $U$ takes a part of "
             "$μ W′$ (dotted). {coupled}"
         )
-        return phrase(caption, coupled=say("“Coupled” is the caisson that slips as a whole.") if slipped(result) else "")
+        return phrase(caption, coupled=say("“Coupled” is the caisson that slides as a rigid block on the moving ground.") if slipped(result) else "")
     caption = (
         "Shear force at the bottom $F_T$ of this run against the friction that holds it, $μ W′$ on either side. {coupled}"
         if solved
