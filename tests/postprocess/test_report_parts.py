@@ -363,6 +363,16 @@ class Geometry(unittest.TestCase):
             self.assertAlmostEqual(abs(polygon([(x - x0, y) for x, y in loop])), 2.0, places=6)
             self.assertEqual(len(corners.simple(loop)), 4)
 
+    def test_sizes_of_results_in_survey_coordinates_are_drawn_to_the_centimetre(self):
+        for x0, y0 in ((0.0, 0.0), (441871.65, 3.2), (4418716.5, 0.0), (3.2, 4418716.5)):
+            with tempfile.TemporaryDirectory() as folder, h5py.File(Path(folder) / "results.h5", "w") as file:
+                sides = np.array([(0, 0, 18.04, 0), (18.04, 0, 18.04, 12.37), (18.04, 12.37, 0, 12.37), (0, 12.37, 0, 0)])
+                file["section/caisson"] = sides + [x0, y0, x0, y0]
+                outline = geometry.section({"mesh": {"file": "nowhere.geo"}}, folder, file)
+                page = str(drawing.drawing(outline, {"regions": {"caisson": {"kind": "rigid"}}}, {}, 860, "wide"))
+                for words in ("18.04\u00a0m", "12.37\u00a0m"):
+                    self.assertIn(words, page, (x0, y0))
+
     def test_a_script_of_ones_own_is_drawn_where_gmsh_is_installed(self):
         """With a script instead of gmsh that records its arguments and copies a mesh."""
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"PATH": folder}):

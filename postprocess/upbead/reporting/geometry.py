@@ -74,7 +74,8 @@ def of_results(group):
     def add(name, table):
         nonlocal digits
         sides = table[()]
-        digits = 6 - int(math.floor(math.log10(np.ptp(sides) or 1.0))) if digits is None else digits
+        extent = np.ptp(sides.reshape(-1, 2), axis=0).max()  # of an axis: x of a survey is far from y
+        digits = 6 - int(math.floor(math.log10(extent or 1.0))) if digits is None else digits
         regions[name] = chained({tuple(tuple(map(float, end)) for end in np.round(row.reshape(2, 2), digits)) for row in sides})
 
     group.visititems(lambda name, item: add(name, item) if hasattr(item, "shape") else None)
