@@ -1,5 +1,5 @@
 """Formulas as print has them: what the program writes in ASCII (alpha_1, mu W', x_G'', sqrt, <=, 1.4e-08, H_1/3) becomes Unicode
-and subscripts, in every text of a page but in code and in what its author wrote as code."""
+and subscripts, in every text of a page but in code and in what its author wrote: titles, names and texts of the class `written`."""
 
 import re
 
@@ -20,6 +20,7 @@ DOTS = {1: "\u0307", 2: "\u0308"}
 PIECE = re.compile(r"(<[^>]*>)")
 TAG = re.compile(r"</?([a-zA-Z0-9]+)")
 LEFT_ALONE = {"code", "pre", "script", "style", "title", "textarea"}
+WRITTEN = re.compile(r'<[^>]*?\sclass="(?:[^"]*\s)?written[\s"]')  # a client may be "Delta Flume", a berth A_12
 
 
 def letters(text):
@@ -45,8 +46,9 @@ def page(html):
         if piece.startswith("<"):
             name = TAG.match(piece)
             name, closes = (name[1].lower() if name else ""), piece.startswith("</")
-            if name in LEFT_ALONE and not piece.endswith("/>"):
-                kept = kept[:-1] if closes else [*kept, name]
+            if kept and name == kept[0] or not kept and not closes and (name in LEFT_ALONE or WRITTEN.match(piece)):
+                if not piece.endswith("/>"):
+                    kept = kept[:-1] if closes else [*kept, name]
             elif name == "svg":
                 drawn += -1 if closes else 1
             found.append(piece)

@@ -170,6 +170,16 @@ class Judged(unittest.TestCase):
         (copy / "summary.json").write_text(json.dumps(calm | {"checks": [holds], "warnings": []}))
         self.assertIn("Of 1 checks with a limit all hold", visible(kinds.build(copy)))
 
+    def test_a_title_stays_as_written(self):
+        """In the page and the report; the program's own words in them are set."""
+        name, file = "Delta Flume, berth A_12", self.folder / "named.toml"
+        text = (CASES / "designer/design.toml").read_text(encoding="utf-8")
+        file.write_text(re.sub(r"(?m)^title = .*$", f'title = "{name}"', text), encoding="utf-8")
+        page = live.page(file, self.folder / "page.html", program=PROGRAM).read_text(encoding="utf-8")
+        for made in (page, kinds.build(self.solve("waves", file)[0])):
+            self.assertRegex(made, f"<h1[^>]*>{name}</h1>")
+            self.assertIn("<sub>", made)
+
     def test_ground_without_a_rest_leaves_no_word_on_sliding(self):
         folder, _ = self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8")
         summary = json.loads((folder / "summary.json").read_text())

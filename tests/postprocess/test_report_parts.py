@@ -1,6 +1,7 @@
 """Single parts of the report. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
 
 import base64
+import html
 import json
 import os
 import re
@@ -10,6 +11,7 @@ import tempfile
 import unittest
 import zlib
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import h5py
@@ -19,7 +21,7 @@ SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] 
 sys.path.insert(0, str(SCRIPTS))
 
 from report import corners, document, drawing, geometry, input_tables, inputs, labels, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
-from report import construction, yielding, zones  # noqa: E402
+from report import author, construction, head, loads, sheet, yielding, zones  # noqa: E402
 from upbead import typeset  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
@@ -267,6 +269,24 @@ class Typesetting(unittest.TestCase):
         ):  # fmt: skip
             self.assertEqual(typeset.page(written), wanted)
         self.assertEqual(typeset.page("<svg><text>alpha_I</text></svg>"), "<svg><text>α_I</text></svg>")  # an SVG has no <sub>
+
+    def test_what_the_author_wrote_stays_as_written(self):
+        name = "Delta Flume & Sigma Ltd, berth A_12"
+        case = {"loads": {"Delta_2": {"boundary": "top", "pulse": {"peak": 1e3}}}}
+        who = author.Author({"client": name, "question": f"Does it hold? {name}", "text": f"- {name}\n\n| a |\n|---|\n| {name} |"}, "")
+        parts = (head.title(who, "Report", name), head.question(who, "F_T?"),
+                 loads.table_of([loads.row("Delta_2", case["loads"]["Delta_2"], SimpleNamespace(summary={}, case=case))]),
+                 input_tables.group_table(("loads", "Delta_2"), []), sheet.name_of({"name": "sliding", "wave": "Sigma 2"}),
+                 drawing.drawing(geometry.Section({"sand": [[(0, 0), (2, 0), (2, 1), (0, 1)]]}), case, {}, 860, "wide"))  # fmt: skip
+        for part, there in zip(parts, (2, 3, 0, 0, 0, 0)):
+            page = typeset.page(f"<main>{part}F_T</main>")
+            self.assertEqual(page.count(html.escape(name)), there, page)
+            self.assertEqual(re.findall("[ΔΣσδ]|A<", page), [], page)
+            self.assertIn("<i>F</i><sub>T</sub></main>", page)  # and the program's own words after it are set
+        for words in ("Delta 2", "Load Delta 2", "Sigma 2"):
+            self.assertIn(words, "".join(map(typeset.page, parts[2:])))
+        self.assertEqual(typeset.page('<p class="written">A_1<p>A_1</p></p><b class="unwritten">A_1</b>'),
+                         '<p class="written">A_1<p>A_1</p></p><b class="unwritten"><i>A</i><sub>1</sub></b>')  # fmt: skip
 
     def test_quantities_of_one_table_have_one_prefix(self):
         shown = lambda *values: re.findall(r">([^<>]*)</data>", markup.table(None, [("a", units.quantity(v, u)) for v, u in values]))  # noqa: E731

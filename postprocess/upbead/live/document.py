@@ -118,7 +118,7 @@ def document(model=None, design=None, summaries=()):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
         f"<title>{title}: what if</title><style>{read('page.css')}</style><style>{read('whatif.css')}</style></head>\n"
-        f'<body><main><h1>{typeset.words(title)}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
+        f'<body><main><h1>{title}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
     )
 
 

@@ -34,7 +34,7 @@ def head(source):
     if not source.head:
         return Markup("")
     foot = tag("footer", say("at the head of {file}", file=source.path.name))
-    return tag("blockquote", prose(" ".join(source.head.split())), foot)
+    return tag("blockquote", " ".join(source.head.split()), foot, class_="written")
 
 
 def chosen(rows, source):

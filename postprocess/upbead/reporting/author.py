@@ -71,7 +71,7 @@ def html(text):
         raise UserError("report.text needs the package markdown-it-py (Debian: python3-markdown-it)") from error
     reader = MarkdownIt("commonmark", {"html": False}).enable("table").disable("image")
     reader.validateLink = is_harmless
-    return Markup(f'<div class="author">{reader.render(text)}</div>')
+    return Markup(f'<div class="author written">{reader.render(text)}</div>')
 
 
 def is_harmless(address):

@@ -35,7 +35,7 @@ def drawing(section, case, summary, width, class_):
     loads(canvas, section, case, summary)
     probes(canvas, case)
     names(canvas, section, case)
-    return canvas.svg(say("section with its dimensions"), class_)
+    return canvas.svg(say("section with its dimensions"), f"{class_} written")  # names of regions and loads, and numbers
 
 
 def body_of(section):

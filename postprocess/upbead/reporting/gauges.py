@@ -1,7 +1,7 @@
 """Records of transducers along the wall or the bottom, and how accurately their number and positions give the
 force."""
 
-from .language import heads, say, spaced
+from .language import as_written, heads, say
 from .markup import Markup, fold, table
 from .units import percent, quantity
 
@@ -23,7 +23,7 @@ def records(summary):
     """A fold with one row for each record; empty if there are none."""
     rows = [
         (
-            spaced(name),
+            as_written(name),
             quantity(row.get("gauges")),
             quantity(row.get("samples")),
             quantity(row.get("peak_pressure"), "Pa"),

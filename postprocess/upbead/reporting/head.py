@@ -11,13 +11,13 @@ def title(words, kind, heading):
     """`words` is the Author, `kind` names the kind of document, `heading` is the title of the case."""
     mark = tag("img", src=words.logo, alt=say("logo"), class_="logo") if words.logo else ""
     rows = [(say(name), words.get(key)) for key, name in NAMES.items() if words.get(key)]
-    who = table(None, rows, "words") if rows else ""
-    return join([mark, tag("p", say(kind), class_="kind"), tag("h1", heading), who])
+    who = table(None, rows, "words written") if rows else ""
+    return join([mark, tag("p", say(kind), class_="kind"), tag("h1", heading, class_="written"), who])
 
 
 def question(words, asked):
     """The author's question, or else the question that such a run answers; then the author's text."""
-    told = tag("p", words.get("question") or asked, class_="asked")
+    told = tag("p", words.get("question") or asked, class_="asked written" if words.get("question") else "asked")
     return tag("section", tag("h2", say("Question")), told, author.html(words.get("text")), id="question")
 
 

@@ -86,7 +86,7 @@ def label_of(row):
     """The meaning and the key, and the author's remark below."""
     inner = row.path[2:-1] if row.path[0] in KINDS else row.path[1:-1] if row.path[:2] != ("mesh", "parameters") else ()
     key = tag("code", ".".join([*inner, row.path[-1]]))
-    return join([prose(told(row.what)), " ", key, tag("div", row.remark, class_="remark") if row.remark else ""])
+    return join([prose(told(row.what)), " ", key, tag("div", row.remark, class_="remark written") if row.remark else ""])
 
 
 def tables(found):
@@ -104,7 +104,7 @@ def group_table(group, members):
     rows_of = {"boundaries": boundary_rows, "probes": point_rows}.get(group[0], value_rows)
     return tag(
         "div",
-        tag("h3", title_of(group, members)),
+        tag("h3", title_of(group, members), class_="written"),
         tag("table", tag("tbody", *rows_of(members)), class_="inputs"),
         class_="group",
     )
@@ -124,7 +124,8 @@ def value_cell(row):
     """Numbers are not wrapped, words may be."""
     shown = show(row)
     breaks = isinstance(row.value, (str, list)) and len(shown) > 24 or isinstance(row.value, str) and len(row.value) > 12
-    return tag("td", shown, class_="text" if breaks else "number")
+    is_file = " written" if row.path[-1] in PATHS else ""
+    return tag("td", shown, class_=("text" if breaks else "number") + is_file)
 
 
 def mark_cell(mark):
@@ -139,7 +140,7 @@ def boundary_rows(members):
     return [
         tag(
             "tr",
-            tag("th", named(name), scope="row"),
+            tag("th", named(name), scope="row", class_="written"),
             tag(
                 "td",
                 listed(
@@ -157,7 +158,7 @@ def point_rows(members):
     return [
         tag(
             "tr",
-            tag("th", named(row.path[1]), scope="row"),
+            tag("th", named(row.path[1]), scope="row", class_="written"),
             value_cell(row),
             mark_cell(row.mark),
         )

@@ -72,8 +72,13 @@ def named(name):
 
 
 def spaced(name):
-    """A name that the author gives: a load, a wave, a record."""
+    """A name that the author gives, as plain text."""
     return name.replace("_", " ")
+
+
+def as_written(name):
+    """A name that the author gives: a load, a wave, a record. In HTML, where nothing in it is taken for a formula."""
+    return tag("span", spaced(name), class_="written")
 
 
 def sentences(parts):

@@ -3,7 +3,7 @@ waves."""
 
 from . import gauges, waves
 from .drawing import acting
-from .language import heads, listed, named, phrase, say, spaced, told
+from .language import as_written, heads, listed, named, phrase, say, told
 from .markup import Markup, prose, table, tag
 from .measures import at
 from .units import quantity
@@ -25,7 +25,7 @@ def row(name, load, result):
     arm = (at(result.summary, "loads") or {}).get(name, {}).get("arm")
     height = quantity(arm, "m") if arm is not None else ""
     where = load.get("boundary") or load.get("region") or ""
-    return spaced(name), named(where), named(load.get("kind", "force")), course(load), height
+    return as_written(name), named(where), named(load.get("kind", "force")), course(load), height
 
 
 def course(load):

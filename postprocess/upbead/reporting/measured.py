@@ -3,8 +3,8 @@
 import numpy as np
 
 from . import figure
-from .language import heads, phrase, say, spaced
-from .markup import Markup, table, tag
+from .language import as_written, heads, phrase, say, spaced
+from .markup import Markup, join, table, tag
 from .plot import Line, Panel, Plot
 from .units import percent, quantity
 
@@ -60,7 +60,7 @@ def section(result):
         panels.append(Panel(unit, lines, title=spaced(name)))
     start, end = float(result.time[0]), float(result.time[-1])
     plot = Plot("measured", panels, window=(start, end))
-    described = " ".join(f"{spaced(name)}: {description.rstrip('.')}." for name, *_, description in found if description)
+    described = join((join([as_written(name), f": {description.rstrip('.')}."]) for name, *_, description in found if description), " ")
     caption = phrase("Measured records and what was computed. {described}", described=described)
     return tag(
         "section",
@@ -77,7 +77,7 @@ def compared(result, found):
         unit = units.get(name, "")
         rows.append(
             (
-                spaced(name),
+                as_written(name),
                 tag("code", numbers.get("reading", "")),
                 quantity(numbers.get("peak_measured"), unit),
                 quantity(numbers.get("peak_computed"), unit),

@@ -1,7 +1,7 @@
 """Tables of all numbers of a summary, or of a part of it: whatever the program told, with its meaning, so that nothing is
 left out."""
 
-from .language import heads, say, spaced, spoken, told
+from .language import as_written, heads, say, spoken, told
 from .markup import Markup, fold, join, prose, table, tag
 from .units import plain, quantity
 from .. import outputs
@@ -32,7 +32,7 @@ def beside(columns, prefix, command, without=()):
         found = [dict(leaves({key: value for key, value in columns[name].items() if key not in without})) for name in chosen]
         rows = [(label((*prefix, *path), path, command), *(cell(one, path, (*prefix, *path), command) for one in found))
                 for path in sorted(dict.fromkeys(path for one in found for path in one), key=lambda path: len(path) > 1)]  # fmt: skip
-        head = heads("quantity", *(Markup(tag("span", spaced(name))) for name in chosen))
+        head = heads("quantity", *(as_written(name) for name in chosen))
         tables.append(table(head if any(chosen) else None, rows, "numbers keys"))
     return join(tables)
 

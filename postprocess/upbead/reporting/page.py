@@ -105,7 +105,7 @@ def section_drawing(result):
     caption = say("The section to scale, the sea on the left.") if "caisson" in outline.regions else say("The section to scale.")
     points = "; ".join(f"{number} {named(name)}" for number, name in enumerate(case.get("probes", {}), 1))
     if points:
-        caption += " " + say("Points read: {points}.", points=points)
+        caption = join([caption, " ", tag("span", say("Points read: {points}.", points=points), class_="written")])
     drawn = of_drawing("drawing", drawing.draw(outline, case, result.summary), caption)
     return outline, tag("section", title, drawn, sheet.levels(case, outline), id="section")
 

@@ -1,6 +1,6 @@
 """Each check of the section with demand, capacity, margin and its assumption; levels and layers of the section."""
 
-from .language import heads, named, phrase, say, spaced, told
+from .language import as_written, heads, named, phrase, say, told
 from .markup import Markup, join, prose, table, tag
 from .units import plain, quantity
 from .. import told as told_of
@@ -42,8 +42,8 @@ def row(check):
 def name_of(check):
     """What is checked, by what, in which wave and at which level."""
     where = [named(check["by"])] if check.get("by") else []
-    where += [spaced(check[key]) for key in ("wave", "level") if check.get(key)]
-    return join([prose(told(check["name"])), f" ({', '.join(where)})" if where else ""])
+    where += [as_written(check[key]) for key in ("wave", "level") if check.get(key)]
+    return join([prose(told(check["name"])), *([" (", join(where, ", "), ")"] if where else [])])
 
 
 def result(check):

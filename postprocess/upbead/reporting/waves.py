@@ -1,6 +1,6 @@
 """Loads by waves: P and U of Goda's formulas, the history, and the assumptions."""
 
-from .language import heads, named, say, spaced
+from .language import as_written, heads, named, say
 from .markup import Markup, fold, join, prose, table, tag
 from .units import quantity
 
@@ -12,7 +12,7 @@ def records(summary):
     waves = summary.get("wave_loads") or {}
     rows = [
         (
-            spaced(name),
+            as_written(name),
             quantity(wave["height"], "m"),
             quantity(wave["period"], "s"),
             quantity(wave["alpha_star"]),
@@ -31,7 +31,7 @@ def records(summary):
     if not rows:
         return Markup("")
     lists = [
-        tag("p", prose(spaced(name) + ": " + "; ".join(wave["assumptions"]) + "."))
+        tag("p", as_written(name), prose(": " + "; ".join(wave["assumptions"]) + "."))
         for name, wave in waves.items()
     ]
     return fold(say("Loads by waves"), table(heads(*HEAD), rows, "numbers"), join(lists), open_=True)

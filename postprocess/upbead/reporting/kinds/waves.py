@@ -6,7 +6,7 @@ from ..drawing import NARROW, metres
 from ..figure import of_drawing
 from ..head import card
 from .frame import result_section
-from ..language import listed, phrase, say, spaced
+from ..language import as_written, listed, phrase, say
 from ..markup import join, tag
 from ..units import plain, quantity
 
@@ -55,10 +55,10 @@ def values(waves, key):
 
 def whose(name, path):
     """The wave, its level, and whether it is the standing wave and its trough."""
-    place = [spaced(path[path.index("levels") + 1])] if "levels" in path else []
+    place = [as_written(path[path.index("levels") + 1])] if "levels" in path else []
     place += [say("standing wave")] if "standing" in path else []
     place += [say("its trough")] if path[-1].startswith("trough") else []
-    return listed([spaced(name), *place])
+    return listed([as_written(name), *place])
 
 
 def verdict_of(what, safety, name):
@@ -102,7 +102,7 @@ def tables(waves):
         return [numbers.beside(waves, ("waves", "NAME"), COMMAND)]
     parts = []
     for name, wave in waves.items():
-        parts += [tag("h3", spaced(name)), numbers.beside(dict(at_levels(wave)), ("waves", "NAME", "levels", "LEVEL"), COMMAND),
+        parts += [tag("h3", as_written(name)), numbers.beside(dict(at_levels(wave)), ("waves", "NAME", "levels", "LEVEL"), COMMAND),
                   numbers.alone(wave.get("governing"), ("waves", "NAME", "governing"), COMMAND)]  # fmt: skip
     return parts
 
@@ -111,7 +111,7 @@ def drawn(section, name, wave):
     caption = phrase(
         "{name}: $H$ = {height}, $T$ = {period}, α* = {alpha}. Pressures on the wall and under the bottom; dashed: without $α_I$. The slopes of the "
         "mound are drawn 1 : 2, as the formulas do not know them.",
-        name=spaced(name),
+        name=as_written(name),
         height=quantity(wave["height"], "m", digits=3),
         period=quantity(wave["period"], "s", digits=3),
         alpha=quantity(wave["alpha_star"], digits=3),
