@@ -15,6 +15,7 @@ import tempfile
 import tomllib
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from judged_designs import design
 
@@ -23,6 +24,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 from report import inputs, kinds, reference, source_case  # noqa: E402
 from upbead import live, told, typeset  # noqa: E402
+from upbead.live.document import among  # noqa: E402
 from upbead.opening import open_result  # noqa: E402
 from upbead.results import read_case  # noqa: E402
 
@@ -179,6 +181,21 @@ class Judged(unittest.TestCase):
         for made in (page, kinds.build(self.solve("waves", file)[0])):
             self.assertRegex(made, f"<h1[^>]*>{name}</h1>")
             self.assertIn("<sub>", made)
+
+    def test_models_beside_each_other_have_names_of_their_own(self):
+        """Of one title in two folders, in one folder, in folders of one name, and one file twice."""
+        for titles, files, wanted in (
+            ("AB", ("x/reduced.h5", "y/reduced.h5"), ["A", "B"]),
+            ("AA", ("x/reduced.h5", "y/reduced.h5"), ["x", "y"]),
+            ("AAB", ("x/soft.h5", "x/stiff.h5", "x/other.h5"), ["x/soft", "x/stiff", "B"]),
+            ("AAA", ("x/soft.h5", "x/stiff.h5", "y/soft.h5"), ["x/soft", "x/stiff", "y"]),
+            ("AA", ("1/x/reduced.h5", "2/x/reduced.h5"), ["A (1)", "A (2)"]),
+            ("AA", ("x/soft.h5", "x/soft.h5"), ["A (1)", "A (2)"]),
+        ):
+            told = iter(titles)
+            with mock.patch("upbead.live.document.model_data", lambda _: {"title": next(told), "loads": []}):
+                found = among(Path(files[0]), [Path(file) for file in files[1:]])
+            self.assertEqual([one["soil"] for one in (found, *found["others"])], wanted)
 
     def test_ground_without_a_rest_leaves_no_word_on_sliding(self):
         folder, _ = self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8")

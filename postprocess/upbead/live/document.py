@@ -93,16 +93,25 @@ def data_of(model, design, beside=()):
 
 
 def among(path, beside):
-    """The numbers of a model with those of others, each named by its title, or where two have one by its folder."""
+    """The numbers of a model with those of others, each with a name of its own."""
     first, *others = (model_data(one) for one in (path, *beside))
     loads = [load["name"] for load in first["loads"]]
     for other, file in zip(others, beside):
         if [load["name"] for load in other["loads"]] != loads:
             raise UserError(f"'{file}' has other loads than '{path}' ({', '.join(loads)}): models beside each other answer one wave")
-    titles = [one["title"] for one in (first, *others)]
-    for one, file in zip((first, *others), (path, *beside)):
-        one["soil"] = one["title"] if titles.count(one["title"]) == 1 else file.resolve().parent.name
+    models = (first, *others)
+    for one, name in zip(models, names_of([one["title"] for one in models], (path, *beside))):
+        one["soil"] = name
     return {**first, "others": others}
+
+
+def names_of(titles, files):
+    """A name for each model: its title; where others have it, too, its folder; then its folder and file; at last its title and number."""
+    places, names = [file.resolve() for file in files], list(titles)
+    folders, paths = [place.parent.name for place in places], [f"{place.parent.name}/{place.stem}" for place in places]
+    for other in (folders, paths, [f"{title} ({number})" for number, title in enumerate(titles, 1)]):
+        names = [name if names.count(name) == 1 else instead for name, instead in zip(names, other)]
+    return names
 
 
 def document(model=None, design=None, summaries=()):
