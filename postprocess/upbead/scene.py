@@ -19,7 +19,7 @@ TABLES = ("regions", "boundaries", "loads", "probes")
 
 
 class Scene(dict[str, Any]):
-    """The tables of a case as a dict, with a method for each kind of table; docs/case.md has all keys with units and ranges.
+    """The tables of a case as a dict, with a method for each kind of table; docs/reference/case.md has all keys with units and ranges.
 
     Parameters
     ----------

@@ -4,6 +4,7 @@ usage: test_pages.py FOLDER_OF_THE_SCRIPTS PROGRAM FOLDER_OF_THE_PROJECT
 """
 
 import doctest
+import re
 import shutil
 import subprocess
 import sys
@@ -35,6 +36,16 @@ class Current(unittest.TestCase):
     def test_every_shipped_case_is_in_the_gallery(self):
         wrong = page.check(CASES, entries(CASES), DOCS)
         self.assertEqual(wrong, [], "run postprocess/gallery.py build/upbead docs")
+
+    def test_files_that_scripts_name_are_there(self):
+        """Pages of docs, and files of the package that the comments of others name."""
+        named = re.compile(r"(?<![\w./-])(?:docs(?=/[\w/-]+\.md)|report(?:ing)?|live)/[\w/-]+\.(?:md|py|js)\b")
+        found = {(path.name, one) for path in sorted((SCRIPTS / "upbead").rglob("*.*")) if path.suffix in (".py", ".js")
+                 for one in named.findall(path.read_text(encoding="utf-8"))}  # fmt: skip
+        self.assertGreater(len(found), 20)
+        places = (PROJECT, SCRIPTS / "upbead")
+        missing = [(name, one) for name, one in found if not any((place / one).exists() for place in places) and "COMMAND" not in one]
+        self.assertEqual(missing, [])
 
 
 class Reference(unittest.TestCase):

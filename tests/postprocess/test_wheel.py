@@ -113,7 +113,7 @@ class Wheel(unittest.TestCase):
         told = self.python(f"import upbead; print(upbead.open({str(out)!r}).summary['response']['shear_to_force_ratio'], upbead.report({str(out)!r}))")
         self.assertEqual(told.split(), [str(ratio), f"{out}/report.html"])
         page = (out / "report.html").read_text(encoding="utf-8")
-        self.assertIn("share of the pores in the volume", page)  # from docs/case.md of the wheel
+        self.assertIn("share of the pores in the volume", page)  # from docs/reference/case.md of the wheel
         call(commands / "upbead-report", out)
         self.assertEqual((out / "report.html").read_text(encoding="utf-8"), page)
 

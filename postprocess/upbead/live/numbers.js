@@ -1,4 +1,4 @@
-// Numbers as people read them, as report/units.py has them: four digits, a prefix that suits the size.
+// Numbers as people read them, as reporting/units.py has them: four digits, a prefix that suits the size.
 
 const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]], PREFIXED = ["N/m", "Pa", "N m/m"];
 
@@ -29,7 +29,7 @@ export function quantity(value, unit) {
 
 export const percent = (value, digits = 2) => `${plain(100 * value, digits)}\u00a0%`;
 
-// Round numbers from low to high, as report/ticks.py has them: [value, text].
+// Round numbers from low to high, as reporting/ticks.py has them: [value, text].
 export function ticks(low, high, count) {
   if (!(high > low)) return [];
   const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));

@@ -17,7 +17,7 @@
   };
   const minus = (text) => text.replace("-", "−");
 
-  // The same round numbers as report/ticks.py.
+  // The same round numbers as reporting/ticks.py.
   function ticks(low, high, count) {
     if (!(high > low)) return [];
     const stepFor = (wanted) => {
@@ -34,7 +34,7 @@
     return found;
   }
 
-  // The same round values of an axis over decades as report/ticks.py.
+  // The same round values of an axis over decades as reporting/ticks.py.
   function decades(low, high, count) {
     let found = [];
     for (const mantissas of [[1, 2, 5], [1, 3], [1]]) {
