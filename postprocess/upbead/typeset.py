@@ -23,7 +23,7 @@ LEFT_ALONE = {"code", "pre", "script", "style", "title", "textarea"}
 WRITTEN = re.compile(r'<[^>]*?\sclass="(?:[^"]*\s)?written[\s"]')  # a client may be "Delta Flume", a berth A_12
 
 
-def letters(text):
+def letters(text: str) -> str:
     """Greek letters, powers and signs of an HTML text; no subscripts, which an SVG has no simple way for."""
     text = text.replace("&#x27;", QUOTE)
     for ascii_, sign in SIGNS:
@@ -34,18 +34,19 @@ def letters(text):
     return PRIME.sub(r"\1′", text).replace(QUOTE, "&#x27;")
 
 
-def words(text):
+def words(text: str) -> str:
     """An HTML text with its symbols set."""
     return SYMBOL.sub(r"<i>\1</i><sub>\2</sub>", letters(text))
 
 
-def page(html):
+def page(html: str) -> str:
     """All texts of a document."""
-    kept, drawn, found = [], 0, []
+    kept: list[str] = []  # open elements of the name of the one that is left alone
+    drawn, found = 0, []
     for piece in PIECE.split(html):
         if piece.startswith("<"):
-            name = TAG.match(piece)
-            name, closes = (name[1].lower() if name else ""), piece.startswith("</")
+            opened = TAG.match(piece)
+            name, closes = (opened[1].lower() if opened else ""), piece.startswith("</")
             if kept and name == kept[0] or not kept and not closes and (name in LEFT_ALONE or WRITTEN.match(piece)):
                 if not piece.endswith("/>"):
                     kept = kept[:-1] if closes else [*kept, name]
