@@ -126,7 +126,7 @@ class Compare(unittest.TestCase):
         found = self.browser.value(checks)
         self.assertEqual([holds for holds, _ in found], ["false", "false"])
         self.assertRegex(found[1][1], r"S by eq\. \(4\): .* at most 50\smm DOES NOT HOLD")
-        self.assertIn("the base liftsseaward edge", self.browser.value(HEAD))
+        self.assertIn("the base liftsthe seaward edge", self.browser.value(HEAD))
         self.assertIn("shaded: after the base lifts", self.browser.value("document.querySelector('.whatif svg').textContent"))
         self.open(self.both)
         formulas = [words for _, words in self.browser.value(checks)]
