@@ -124,5 +124,5 @@ def folder_of(file: Case, out: Place, ending: str) -> Path:
 def written(command: str, file: Case, values: Values, out: Place, program: Place, ending: str, more: list[Any] | tuple[()] = ()) -> Path:
     """Calls the program; returns the folder of its results."""
     folder = folder_of(file, out, ending)
-    call([command, as_file(file, folder), "--out", folder, *settings(values), *more], program)
+    call([command, as_file(file, folder, values), "--out", folder, *settings(values), *more], program)
     return folder

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from .errors import UserError
 
-RESULTS = ("results.h5", "reduced.h5", "responses.h5", "study.h5", "summary.json", "case.toml", "study.csv", "calibration.csv")
+RESULTS = ("results.h5", "reduced.h5", "responses.h5", "study.h5", "summary.json", "case.toml", "given.toml", "study.csv", "calibration.csv")
 
 
 def files_of(path: str | PathLike[str]) -> list[Path]:

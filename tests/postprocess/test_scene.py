@@ -73,6 +73,12 @@ class Solved(unittest.TestCase):
         found = scene.run(COARSE, self.folder / "function")
         self.assertAlmostEqual(found["shear_force"].max() / self.result["shear_force"].max(), 1.0, delta=1e-3)
 
+    def test_a_longer_run_has_the_whole_function(self):
+        scene = column().load("ramp", boundary="top", kind="pressure", history=lambda t: 1e5 * t)
+        found = scene.run({"time.end": 0.1}, out=self.folder / "longer")
+        self.assertAlmostEqual(found["probes/middle/pressure"][-1] / found["probes/middle/pressure"].max(), 1.0, delta=0.05)
+        self.assertAlmostEqual(np.loadtxt(self.folder / "longer/given-1-ramp.csv", delimiter=",", skiprows=2)[-1, 1], 1e4, delta=1e-6)
+
     def test_a_pressure_of_place_and_time(self):
         """p(s, t) = f(t)/h on the front is the force f(t), uniform over it."""
         peak, height = 4e3, 0.8
@@ -164,6 +170,7 @@ class Written(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
+        self.addCleanup(os.chdir, os.getcwd())
 
     def test_texts_are_read_as_they_were(self):
         values = {"title": 'A "b" \\', "n": 3, "flag": True, "mesh": {"a.b": {"c": [1, 2.5, "x"]}, "d": float("inf")}, "e": {}}
@@ -179,6 +186,50 @@ class Written(unittest.TestCase):
             read = tomllib.loads(as_file({"loads": {"a": {"history": given}}, "title": "wave.csv"}, Path("out")).read_text())
             self.assertEqual((read["loads"]["a"]["history"], read["title"]), (str(self.folder / "wave.csv"), "wave.csv"))
         self.assertEqual(as_file("a/b.toml", Path("out")), Path("a/b.toml"))
+
+    def test_a_path_in_the_folder_of_results_is_none_of_the_working_folder(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/wave.csv").write_text("another")
+        os.chdir(self.folder)
+        for there in (False, True):
+            if there:
+                (self.folder / "wave.csv").write_text("time (s), P (N/m)\n0, 0\n1, 1\n")
+            read = tomllib.loads(as_file({"loads": {"a": {"history": "wave.csv", "kind": "force"}}}, Path("out")).read_text())
+            self.assertEqual(read["loads"]["a"], {"history": str(self.folder / "wave.csv"), "kind": "force"})
+
+    def test_every_load_has_a_file_of_its_own(self):
+        names = ("波", "風", "a b", "a_b")
+        loads = {name: {"history": ([0, 1], [0, n])} for n, name in enumerate(names)}
+        read = tomllib.loads(as_file({"loads": loads}, self.folder).read_text(encoding="utf-8"))["loads"]
+        values = [np.loadtxt(self.folder / read[name]["history"], delimiter=",", skiprows=2)[1, 1] for name in names]
+        self.assertEqual(values, [0, 1, 2, 3])
+        self.assertTrue(all(path.name.isascii() for path in self.folder.iterdir()))
+
+    def test_a_function_is_sampled_until_the_end_that_holds(self):
+        scene = {"loads": {"a": {"history": lambda t: t}}, "time": {"end": 0.25}}
+        vary = lambda **keys: {"case": scene, "vary": {"time.end": keys}}  # noqa: E731
+        for case, values, end in ((scene, None, 0.25), (scene, {"time.end": 0.5}, 0.5), (scene, {"mesh.degree": 2, "time": {"end": 3}}, 3),
+                                  ({"case": scene, "set": {"mesh.degree": 2}}, None, 0.25), ({"case": scene, "set": {"time.end": 2}}, None, 2),
+                                  (vary(values=[0.5, 2, 1]), None, 2), (vary(**{"from": 0.1, "to": 1.5}), None, 1.5), (vary(to=1.5), {'vary."time.end".to': 4}, 4),
+                                  ({"cases": [scene, scene]}, {'set."time.end"': 0.5}, 0.5)):
+            folder = self.folder / str(len(list(self.folder.iterdir())))
+            as_file(case, folder, values)
+            ends = [np.loadtxt(path, delimiter=",", skiprows=2)[-1, 0] for path in folder.glob("*.csv")]
+            self.assertEqual(set(ends), {end})
+        with self.assertRaisesRegex(upbead.UserError, "loads.a is a function of time.*largest time.end: vary that by values"):
+            as_file(vary(distribution="normal", mean=1, deviation=0.1), self.folder / "none")
+        as_file(vary(distribution="normal") | {"case": "a.toml"}, self.folder / "file")  # has nothing to be sampled
+
+    def test_files_of_others_are_kept(self):
+        case = {"loads": {"a": {"history": ([0, 1], [0, 1])}}}
+        for name in ("given.toml", "given-1-a.csv"):
+            as_file(case, self.folder)
+            as_file(case, self.folder)  # its own are written over
+            (self.folder / name).write_text("mine\n")
+            with self.assertRaisesRegex(upbead.UserError, f"{name}' would be written over"):
+                as_file(case, self.folder)
+            self.assertEqual((self.folder / name).read_text(), "mine\n")
+            (self.folder / name).unlink()
 
     def test_what_cannot_be_sampled(self):
         load = {"boundary": "front", "history": lambda t: t}
@@ -234,7 +285,7 @@ class Written(unittest.TestCase):
         self.assertEqual(nearest("P", {"force": "P, wave force", "peak": "Peak"}), ["force"])
 
     def test_examples_of_the_docstrings(self):
-        for name in ("near", "named", "toml", "sampled", "written_case", "scene", "history", "outputs"):
+        for name in ("near", "named", "toml", "sampled", "sampled_until", "written_case", "scene", "history", "outputs"):
             found = doctest.testmod(importlib.import_module(f"upbead.{name}"))
             self.assertEqual(found.failed, 0, name)
             self.assertGreater(found.attempted, 0, name)
