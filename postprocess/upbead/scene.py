@@ -79,7 +79,7 @@ class Scene(dict[str, Any]):
         `history` is a path, (times, values) or a function f(t); `gauges` a path or a function p(s, t), whose values (Pa) are taken at
         the places `heights` (m): heights y of the wall, or with over_x = True places x. t in s; values in the unit of the
         load's kind, N/m of a force. A function is sampled until time.end, on steps at which straight lines between the values differ from it by at most
-        1e-4 of the largest. It may take arrays or one number at a time.
+        1e-4 of the largest; a jump is found. It may take arrays or one number at a time.
         """
         return self.table("loads", name, **keys)
 

@@ -73,6 +73,15 @@ class Solved(unittest.TestCase):
         found = scene.run(COARSE, self.folder / "function")
         self.assertAlmostEqual(found["shear_force"].max() / self.result["shear_force"].max(), 1.0, delta=1e-3)
 
+    def test_a_function_that_jumps(self):
+        scene = upbead.Scene.read(MODEL)
+        scene["loads"]["impulse"]["history"] = ([0, 0.02, 0.02, 0.05, 0.05], [0, 0, 4e3, 4e3, 0])
+        given = scene.run(COARSE, self.folder / "jumps")
+        scene["loads"]["impulse"]["history"] = lambda t: 4e3 if 0.02 < t < 0.05 else 0.0
+        found = scene.run(COARSE, self.folder / "jumping")
+        self.assertAlmostEqual(found["shear_force"].max() / given["shear_force"].max(), 1.0, delta=1e-6)
+        self.assertEqual(found.time.size, given.time.size)
+
     def test_a_longer_run_has_the_whole_function(self):
         scene = column().load("ramp", boundary="top", kind="pressure", history=lambda t: 1e5 * t)
         found = scene.run({"time.end": 0.1}, out=self.folder / "longer")
@@ -231,6 +240,18 @@ class Written(unittest.TestCase):
             self.assertEqual((self.folder / name).read_text(), "mine\n")
             (self.folder / name).unlink()
 
+    def test_a_jump_is_two_samples_at_one_time(self):
+        for function, jumps in ((lambda t: 4e3 if 0.02 < t < 0.05 else 0.0, [0.02, 0.05]), (lambda t: np.where(t >= 0.1, 1.0, t), [0.1]),
+                                (lambda t: 1.0 if 0 < t < 0.02345 else 0.0, [0, 0.02345]), (lambda t: np.arctan(1e4 * (t - 0.07)), [])):
+            time, value = sampled_function(function, 0.2).T
+            at = np.flatnonzero(np.diff(time) == 0)
+            np.testing.assert_allclose(time[at], jumps, rtol=0, atol=1e-12)
+            self.assertGreater(np.diff(time)[np.diff(time) > 0].min(), 0.2 / 2000 / (10 if jumps else 2**12))
+            middle = 0.5 * (time[1:] + time[:-1])
+            self.assertLess(max(abs(float(function(t)) - np.interp(t, time, value)) for t in np.delete(middle, at)), 1e-3 * np.abs(value).max())
+        front = sampled_field(lambda s, t: 1.0 if t > s / 100 else 0.0, [1.0, 2.0, 3.0], 0.1)
+        np.testing.assert_allclose(front[:-1][np.diff(front[:, 0]) == 0, 0], [0.01, 0.02, 0.03], rtol=0, atol=1e-12)
+
     def test_what_cannot_be_sampled(self):
         load = {"boundary": "front", "history": lambda t: t}
         for case, words in (({"loads": {"a": load}}, "loads.a is a function of time.*time.end"),
@@ -243,7 +264,7 @@ class Written(unittest.TestCase):
     def test_tables_follow_the_function(self):
         for function, end in ((lambda t: 4e3 if 0.0101 < t < 0.0102 else 0.0, 0.2), (np.sin, 30.0), (lambda t: np.exp(-((t - 0.3) / 1e-3) ** 2), 1.0)):
             time, value = sampled_function(function, end).T
-            self.assertTrue((np.diff(time) > 0).all() and time[0] == 0 and time[-1] == end)
+            self.assertTrue((np.diff(time) >= 0).all() and time[0] == 0 and time[-1] == end)
             middle = 0.5 * (time[1:] + time[:-1])
             error = [abs(function(t) - np.interp(t, time, value)) for t in middle]
             self.assertLess(np.sum(error * np.diff(time)), 1e-4 * np.abs(value).max() * end)
