@@ -23,9 +23,9 @@ CHANGELOG = """upbead ({version}) unstable; urgency=medium
 
  -- The upbead authors <upbead@localhost>  Wed, 25 Nov 2026 00:00:00 +0000
 """
-COMMANDS = {"upbead-report": "report.py", "upbead-page": "page.py", "upbead-fit": "fit.py"}
+COMMANDS = {"upbead-report": "report.py", "upbead-page": "page.py", "upbead-fit": "fit.py", "upbead-sensitivity": "sensitivity.py"}
 WHAT = {"upbead-report": "one HTML page of a run", "upbead-page": "one HTML page that answers other waves",
-        "upbead-fit": "fits soils to records"}
+        "upbead-fit": "fits soils to records", "upbead-sensitivity": "tells which soil decides, by Sobol's indices"}
 
 
 def packed(text, file):

@@ -5,6 +5,7 @@ usage: test_wheel.py FOLDER_OF_THE_PROJECT FOLDER_OF_THE_BUILD [at_length]
 """
 
 import configparser
+import importlib.util
 import json
 import os
 import re
@@ -98,10 +99,21 @@ class Wheel(unittest.TestCase):
         entries = configparser.ConfigParser()
         file = zipfile.ZipFile(self.wheel)
         entries.read_string(file.read(next(name for name in file.namelist() if name.endswith("entry_points.txt"))).decode())
-        self.assertEqual(set(entries["console_scripts"]), {"upbead", "upbead-report", "upbead-page", "upbead-fit"})
+        self.assertEqual(set(entries["console_scripts"]), {"upbead", "upbead-report", "upbead-page", "upbead-fit", "upbead-sensitivity"})
         for name in entries["console_scripts"]:
             self.assertIn("usage", call(commands / name, "--help").lower(), name)
         self.assertEqual(call(commands / "upbead", "--version"), call(BUILD / "upbead", "--version"))
+
+    @unittest.skipIf(importlib.util.find_spec("ensurepip") is None, "no python3-venv")
+    def test_it_is_installed_as_the_pages_say(self):
+        """By the very line, on Debian as it is: outside of a venv pip refuses, and a plain venv sees no wheel and no h5py."""
+        lines = {path: re.search(r"/usr/bin/python3 -m venv.* --no-deps", (PROJECT / path).read_text(encoding="utf-8")).group(0)
+                 for path in ("README.md", "docs/python.md", "pyproject.toml")}
+        self.assertEqual(len(set(lines.values())), 1, lines)
+        source = source_in(Path(tempfile.mkdtemp(dir=self.folder)))
+        call("sh", "-c", f"cd {source} && {lines['docs/python.md']} --no-index", UPBEAD_PROGRAM=str(BUILD))
+        self.assertEqual(call(source / "venv/bin/upbead", "--version"), call(BUILD / "upbead", "--version"))
+        self.assertIn("usage", call(source / "venv/bin/upbead-sensitivity", "--help"))
 
     def test_from_a_case_to_a_report(self):
         out, commands = self.folder / "out", self.venv / "bin"
@@ -158,6 +170,14 @@ class Declared(unittest.TestCase):
         whole, alone = (declared(PROJECT / path) for path in ("pyproject.toml", "postprocess/pyproject.toml"))
         for key in ("version", "dependencies", "optional-dependencies", "requires-python"):
             self.assertEqual(whole["project"][key], alone["project"][key], key)
+        commands = dict(whole["project"]["scripts"])
+        self.assertEqual(commands.pop("upbead"), "upbead.scripts.command:main")  # of the program, which the package alone lacks
+        self.assertEqual(commands, alone["project"]["scripts"])
+        sys.path.insert(0, str(PROJECT / "packaging"))
+        import debian_files
+        self.assertEqual({name: script.removesuffix(".py") for name, script in debian_files.COMMANDS.items()},
+                         {name: module.split(".")[2].removesuffix(":main") for name, module in commands.items()})
+        self.assertEqual(set(debian_files.WHAT), set(commands))
         for key in ("packages", "package-data"):
             self.assertEqual(whole["tool"]["setuptools"][key], alone["tool"]["setuptools"][key], key)
         program = re.search(r"project\(upbead VERSION ([\d.]+)", (PROJECT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)

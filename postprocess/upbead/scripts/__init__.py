@@ -1,1 +1,2 @@
-"""What the commands upbead, upbead-report, upbead-page and upbead-fit call; postprocess/report.py, page.py and fit.py are the same."""
+"""What the commands upbead, upbead-report, upbead-page, upbead-fit and upbead-sensitivity call; postprocess/report.py, page.py, fit.py and
+sensitivity.py are the same."""
