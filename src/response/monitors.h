@@ -115,7 +115,8 @@ class LeastPressure : public MarchObserver {
   void recall(const std::vector<double>& memory) override;
 
   double value() const { return least_; }  ///< Pa, absolute; negative where linear water is in tension
-  double time() const { return time_; }    ///< s
+  double excess() const { return least_ - nodes_[node_].still; }  ///< Pa, over that at rest
+  double time() const { return time_; }                           ///< s
   const dealii::Point<dim>& place() const { return nodes_[node_].at; }
   const std::string& region() const { return nodes_[node_].region; }
 

@@ -22,7 +22,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-STUDY = pathlib.Path(__file__).resolve().parents[2] / "cases/study/coast.toml"
+STUDY = pathlib.Path(__file__).with_suffix(".toml").resolve()
 COAST = 100_000  # sections
 START = 0.35  # s of a process, whatever it computes
 

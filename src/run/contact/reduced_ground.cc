@@ -100,7 +100,7 @@ Eigen::VectorXd differences(const Series& fine, const Series& coarse) {
   return largest;
 }
 
-/// Of all readings but F_T, over their own peaks, the worst first; one that is round-off beside others of its unit has
+/// Of all readings but F_T, over their own peaks; one that is round-off beside others of its unit has
 /// none.
 void find_inexact(const System& system, const Eigen::VectorXd& apart, const Eigen::VectorXd& peak,
                   ContactGround& ground) {
@@ -116,13 +116,21 @@ void find_inexact(const System& system, const Eigen::VectorXd& apart, const Eige
     ground.others = std::max(ground.others, error);
     if (error > ground.tolerance_of_others) ground.inexact.push_back({name, error});
   }
-  std::sort(ground.inexact.begin(), ground.inexact.end(),
-            [](const InexactReading& a, const InexactReading& b) { return a.error > b.error; });
+}
+
+/// The same of the least pressure of the water, over what the waves bring of it.
+void find_inexact_pressure(const Monitors& fine, const Monitors& coarse, ContactGround& ground) {
+  if (!fine.pressure || !fine.pressure->has_seen()) return;
+  const double excess = std::abs(fine.pressure->excess());
+  if (excess == 0.) return;
+  const double error = margin * std::abs(fine.pressure->value() - coarse.pressure->value()) / excess;
+  ground.others = std::max(ground.others, error);
+  if (error > ground.tolerance_of_others) ground.inexact.push_back({"the least pressure of the water", error});
 }
 
 /// The differences of two answers, with their margin.
-ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse, double tolerance) {
-  const System& system = fine.solution.simulation->system();
+ContactGround difference(const System& system, const ContactAnswer& fine, const ContactAnswer& coarse,
+                         double tolerance) {
   const Series &ends = fine.solution.response.ends, &before = coarse.solution.response.ends;
   const Eigen::VectorXd apart = differences(ends, before), peaks = ends.reading.cwiseAbs().rowwise().maxCoeff();
   const Eigen::Index row = system.reading(reading::shear_force);
@@ -137,6 +145,9 @@ ContactGround difference(const ContactAnswer& fine, const ContactAnswer& coarse,
   ground.history = margin * history;
   ground.tolerance_of_others = of_history * tolerance;
   find_inexact(system, apart, peaks, ground);
+  find_inexact_pressure(*fine.solution.monitors, *coarse.solution.monitors, ground);
+  std::sort(ground.inexact.begin(), ground.inexact.end(),
+            [](const InexactReading& a, const InexactReading& b) { return a.error > b.error; });
   return ground;
 }
 
@@ -180,7 +191,7 @@ Solution contact_on_reduced_ground(const Simulation& simulation, const Marching&
     const InterfaceModel model = space.model();
     ContactAnswer answer = answer_of(simulation, model, marching);
     if (before) {
-      error = difference(answer, *before, tolerance);
+      error = difference(compiled.system, answer, *before, tolerance);
       error.coordinates = model.system.n_free();
       error.solves = space.n_solves();
       if (meets(error, answer, tolerance)) {
