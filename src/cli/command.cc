@@ -223,7 +223,7 @@ std::ptrdiff_t worse_ones(const NumberedWarnings& warnings, const NumberedWarnin
 }  // namespace
 
 std::string describe(const NumberedWarnings& warnings) {
-  constexpr int most = 3;  // of a kind, the worst ones: a design of many waves has the same for each
+  constexpr int most = 6;  // of a kind, the worst ones: a design of many waves has the same for each
   const std::string head = "warning: ", indent(head.size(), ' ');
   std::map<std::pair<std::string, std::string>, int> left_out;  // by name and cure
   std::string text;

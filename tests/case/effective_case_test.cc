@@ -64,6 +64,7 @@ poissons_ratio = 0.3
 porosity = 0.4
 grain_density = 2650.0  # kg/m3
 hydraulic_conductivity = 1e-4  # m/s
+conductivity_ratio = 1.0
 saturation = 1.0
 flow = "auto"
 tortuosity = 1.0

@@ -123,7 +123,7 @@ Summary full_summary() {
   s.peak_safety.emplace();
   s.liquefaction.emplace().places = {{}};
   sliding.equal_impulse.emplace();
-  s.contact.emplace().solved.emplace();
+  s.contact.emplace().solved.emplace().ground.emplace();
   s.soil.emplace();
   s.nonlinear.emplace().bounds = {{}};
   s.nonlinear->bounds.front().residual.pore_pressure.emplace();
