@@ -259,8 +259,11 @@ class Study(StudyTest):
         for mode in ("slow", "no_links"):
             environment = {**os.environ, "LD_PRELOAD": library, "DISK": mode}
             first = self.start(12, "--jobs", "2", out=mode, env=environment)
+            os.kill(first.pid, signal.SIGSTOP)  # else it may have ended before the second one looks
+            self.addCleanup(first.kill)
             done = self.study("--out", mode, code=1, env=environment)
             self.assertIn("another study works in this folder", done.stderr)
+            os.kill(first.pid, signal.SIGCONT)
             errors = first.communicate(timeout=300)[1]
             self.assertEqual(first.returncode, 0, errors)
             self.assertEqual(self.journal_lines(mode), 12)
