@@ -8,7 +8,6 @@ skeleton takes no part, is isotropic on a section whose heights are divided by t
 """
 
 import json
-import unittest
 
 import h5py
 import numpy as np

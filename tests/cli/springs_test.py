@@ -9,7 +9,6 @@ kinks of the load; slip from the explicit steps of postprocess/measured/lumped_s
 
 import json
 import sys
-import unittest
 
 import h5py
 import numpy as np

@@ -2,7 +2,7 @@
 
 from . import author
 from .language import phrase, say
-from .markup import Markup, join, table, tag
+from .markup import join, table, tag
 
 NAMES = {"project": "project", "client": "client", "author": "author", "revision": "revision"}
 
