@@ -74,8 +74,10 @@ void Condensation::find_pattern(const SparseMatrix& A) {
     inner.insert(inner.end(), row.begin(), row.end());
     outer.push_back(static_cast<int>(inner.size()));
   }
-  const std::vector<double> zeros(inner.size(), 0.);
-  schur_ = Eigen::Map<const SparseMatrix>(n, n, outer.back(), outer.data(), inner.data(), zeros.data());
+  schur_.resize(n, n);
+  schur_.resizeNonZeros(outer.back());
+  std::copy(outer.begin(), outer.end(), schur_.outerIndexPtr());
+  std::copy(inner.begin(), inner.end(), schur_.innerIndexPtr());
 }
 
 void Condensation::factorise(const SparseMatrix& A, const Block& block) {

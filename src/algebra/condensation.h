@@ -22,6 +22,7 @@ class Condensation {
   void condense(const SparseMatrix& A);
   /// S; both triangles and the whole diagonal are stored, columns ascend.
   const SparseMatrix& schur() const { return schur_; }
+  SparseMatrix& schur() { return schur_; }
 
   /// rest = b_r - W^T b_b.
   void reduce(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> rest) const;

@@ -100,9 +100,11 @@ int refinements(double growth) {
 /// closed box.
 double lost_in(const SparseMatrix& S, const SparseMatrix& A, const detail::Condensation& condensation) {
   double largest = 1.;
-  for (int i = 0; condensation.n_local() > 0 && i < A.rows(); ++i)
-    if (const int rest = condensation.rest_index(i); rest >= 0 && A.coeff(i, i) != 0.)
-      largest = std::max(largest, std::abs(S.coeff(rest, rest) / A.coeff(i, i)));
+  if (condensation.n_local() == 0) return largest;
+  const Vector diagonal = A.diagonal();
+  for (int i = 0; i < A.rows(); ++i)
+    if (const int rest = condensation.rest_index(i); rest >= 0 && diagonal[i] != 0.)
+      largest = std::max(largest, std::abs(S.coeff(rest, rest) / diagonal[i]));
   return largest;
 }
 
@@ -120,27 +122,45 @@ const SparseMatrix& checked(const SparseMatrix& A) {
 }  // namespace
 
 struct Factorisation::Impl {
-  Impl(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& shared)
+  /// A matrix that the caller gives up, and how it is had anew; or nothing.
+  struct Spent {
+    SparseMatrix* matrix = nullptr;
+    Again again;
+  };
+
+  Impl(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& shared, const Spent& spent)
       : pattern(fingerprint(checked(A))),
         condensation(A, blocks),
         sharing(condensed(condensation, shared)),
         ldlt(condensation.schur(), sharing) {
-    factorise(A);
+    factorise(A, spent);
   }
 
-  void factorise(const SparseMatrix& A) {
+  void factorise(const SparseMatrix& A, const Spent& spent) {
     detail::fail_together(sharing, [&] {
       check_finite(A);
       condensation.condense(A);
     });
+    const double lost = lost_in(condensation.schur(), A, condensation);
+    if (spent.matrix != nullptr) SparseMatrix().swap(*spent.matrix);
     ldlt.factorise(condensation.schur(), equilibration(condensation.schur(), sharing));
+    finish(A, spent, sum_of(lost, sharing));
+  }
+
+  /// Sees how far solutions must be refined.
+  void finish(const SparseMatrix& A, const Spent& spent, double lost) {
     constexpr double tolerable_loss = 1e8;
-    const double lost = sum_of(lost_in(condensation.schur(), A, condensation), sharing);
     n_refinements = std::max(refinements(sum_of(ldlt.growth(), sharing)), lost > tolerable_loss ? 1 : 0);
     const bool stands_in = ldlt.n_stand_ins() > 0;
-    matrix = n_refinements > 0 || stands_in ? A : SparseMatrix();
+    SparseMatrix kept;
+    if (n_refinements > 0 || stands_in) kept = spent.matrix != nullptr ? spent.again() : A;
+    matrix.swap(kept);
     if (stands_in) refine_until_exact();
     inertia = inertia_of_all();
+  }
+
+  void require_pattern(const SparseMatrix& A) const {
+    if (fingerprint(checked(A)) != pattern) throw std::invalid_argument("refactor: the pattern differs");
   }
 
   Inertia inertia_of_all() const {
@@ -251,14 +271,22 @@ Border Factorisation::Impl::border(const SparseMatrix& columns) {
 }
 
 Factorisation::Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& sharing)
-    : impl_(std::make_unique<Impl>(A, blocks, sharing)) {}
+    : impl_(std::make_unique<Impl>(A, blocks, sharing, Impl::Spent{nullptr, {}})) {}
+Factorisation::Factorisation(SparseMatrix&& A, const std::vector<IndexRange>& blocks, const Sharing& sharing,
+                             const Again& again)
+    : impl_(std::make_unique<Impl>(A, blocks, sharing, Impl::Spent{&A, again})) {}
 Factorisation::~Factorisation() = default;
 Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 
 void Factorisation::refactor(const SparseMatrix& A) {
-  if (fingerprint(checked(A)) != impl_->pattern) throw std::invalid_argument("refactor: the pattern differs");
-  impl_->factorise(A);
+  impl_->require_pattern(A);
+  impl_->factorise(A, {nullptr, {}});
+}
+
+void Factorisation::refactor(SparseMatrix&& A, const Again& again) {
+  impl_->require_pattern(A);
+  impl_->factorise(A, {&A, again});
 }
 
 Vector Factorisation::solve(const Vector& b) const {

@@ -1,6 +1,7 @@
 // Direct solution with one symmetric quasi-definite matrix: eliminate cell-local blocks, equilibrate, L D L^T.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -43,6 +44,10 @@ class Factorisation {
   /// a shared unknown. Where the matrix is singular, all throw.
   explicit Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks = {},
                          const Sharing& sharing = {});
+  /// The same in less memory: A is emptied before the factor is computed; `again` gives it anew, in these calls alone,
+  /// where solutions are to be refined.
+  using Again = std::function<SparseMatrix()>;
+  Factorisation(SparseMatrix&& A, const std::vector<IndexRange>& blocks, const Sharing& sharing, const Again& again);
   ~Factorisation();
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
@@ -50,6 +55,7 @@ class Factorisation {
   /// Factorises other values on the same pattern and blocks, without ordering and symbolic phase. Throws NumericsError
   /// as the constructor does, std::invalid_argument where the pattern differs.
   void refactor(const SparseMatrix& A);
+  void refactor(SparseMatrix&& A, const Again& again);
   /// x = A^-1 b.
   Vector solve(const Vector& b) const;
   /// x = A^-1 b without allocation; x has the size of b and is not b.

@@ -5,6 +5,9 @@
 #include <petscblaslapack.h>
 
 #include <cstdlib>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include <vector>
 
 #include "base/cores.h"
@@ -36,6 +39,19 @@ void start_as_lone_process() {
   setenv("OMPI_MCA_ess", "singleton", keep_the_users);
   setenv("OMPI_MCA_orte_create_session_dirs", "false", keep_the_users);
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_the_users);
+}
+
+/// SuperLU_DIST, with which PETSc is linked, tells malloc when it is loaded never to give memory back: a process then
+/// holds at its end all that it ever had. Here large arrays get pages of their own again, which go when they are freed,
+/// as does the end of the heap; a quarter of a GB of it stays, where the next arrays find their pages (main.cc tells
+/// why).
+void let_malloc_give_back() {
+#if defined(__GLIBC__)
+  constexpr int most_arrays = 65536, large = 32 << 20, kept = 256 << 20;
+  mallopt(M_MMAP_MAX, most_arrays);
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, kept);
+#endif
 }
 
 constexpr std::size_t more_than_blas_buffer = 160 << 20;  // bytes
@@ -70,6 +86,7 @@ PetscSession::PetscSession() {
   PetscBool running = PETSC_FALSE;
   PetscInitialized(&running);
   if (running == PETSC_TRUE) return;
+  let_malloc_give_back();
   if (const auto launch = told_launch(); launch && launch->size == 1) leave_launcher();  // MPI would connect nobody
   is_launched() ? start_among_processes() : start_as_lone_process();
   require_memory_to_start();

@@ -1,6 +1,7 @@
 #include "effective_matrix.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +15,42 @@ namespace {
 
 constexpr std::size_t kept_matrices = 3;
 
+/// Calls see(row, column, value) for the entries of m M + c C + k K, in their order.
+template <class See>
+void for_each_entry(const System& system, const EffectiveCoefficients& e, const See& see) {
+  using Entry = SparseMatrix::InnerIterator;
+  const auto column = [](const Entry& it) { return it ? static_cast<int>(it.col()) : std::numeric_limits<int>::max(); };
+  const auto take = [&](Entry& it, int at) {
+    if (column(it) != at) return 0.;
+    const double value = it.value();
+    ++it;
+    return value;
+  };
+  for (int i = 0; i < system.size(); ++i) {
+    Entry m(system.M, i), c(system.C, i), k(system.K, i);
+    while (m || c || k) {
+      const int at = std::min({column(m), column(c), column(k)});
+      const double of_m = take(m, at), of_c = take(c, at), of_k = take(k, at);
+      see(i, at, e.m * of_m + e.c * of_c + e.k * of_k);
+    }
+  }
+}
+
+/// In as much memory as it needs; Eigen's own sum takes up to three times as much on the way.
 SparseMatrix combine(const System& system, const EffectiveCoefficients& e) {
-  return e.m * system.M + e.c * system.C + e.k * system.K;
+  Eigen::Index n_entries = 0;
+  for_each_entry(system, e, [&](int, int, double) { ++n_entries; });
+  SparseMatrix E(system.size(), system.size());
+  E.resizeNonZeros(n_entries);
+  int next = 0;
+  for_each_entry(system, e, [&](int row, int column, double value) {
+    E.innerIndexPtr()[next] = column;
+    E.valuePtr()[next] = value;
+    E.outerIndexPtr()[row + 1] = ++next;
+  });
+  for (int i = 0; i < system.size(); ++i)  // rows without entries
+    E.outerIndexPtr()[i + 1] = std::max(E.outerIndexPtr()[i + 1], E.outerIndexPtr()[i]);
+  return E;
 }
 
 /// The columns from `begin` to `end` of the first rows; Eigen's own blocks would copy twice, once for rows, once for
@@ -47,11 +82,10 @@ SparseMatrix free_rows_of_prescribed(const SparseMatrix& E, int n_free) {
   return columns_of(E, n_free, n_free, static_cast<int>(E.cols()));
 }
 
-/// E itself where nothing is prescribed, else its block in `room`.
-const SparseMatrix& free_block(const SparseMatrix& E, int n_free, SparseMatrix&& room = {}) {
-  if (E.cols() == n_free) return E;
-  room = columns_of(E, n_free, 0, n_free);
-  return room;
+/// Makes E its block of the free unknowns.
+SparseMatrix& cut(SparseMatrix& E, int n_free) {
+  if (E.cols() > n_free) columns_of(E, n_free, 0, n_free).swap(E);
+  return E;
 }
 
 bool operator==(const EffectiveCoefficients& a, const EffectiveCoefficients& b) {
@@ -61,27 +95,38 @@ bool operator==(const EffectiveCoefficients& a, const EffectiveCoefficients& b) 
 }  // namespace
 
 EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients, bool refined)
-    : EffectiveMatrix(system, combine(system, coefficients), refined) {}
+    : EffectiveMatrix(system, combine(system, coefficients), refined, [&] { return combine(system, coefficients); }) {}
 
 EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E, bool refined)
+    : EffectiveMatrix(system, SparseMatrix(E), refined, [&] { return E; }) {}
+
+EffectiveMatrix::EffectiveMatrix(const System& system, SparseMatrix&& E, bool refined,
+                                 const Factorisation::Again& again)
     : n_free_(system.n_free()),
       refined_(refined),
       layout_(system.sharing.processes, {}),
-      free_(refined ? free_block(E, n_free_) : SparseMatrix()),
       coupling_(free_rows_of_prescribed(E, n_free_)),
       prescribed_(E.bottomRows(system.n_prescribed)),
-      factors_(free_block(E, n_free_), system.blocks, system.sharing) {
+      free_(refined ? cut(E, n_free_) : SparseMatrix()),
+      factors_(std::move(cut(E, n_free_)), system.blocks, system.sharing, free_again(again)) {
   check_inertia(system);
 }
 
+Factorisation::Again EffectiveMatrix::free_again(const Factorisation::Again& again) const {
+  return [n_free = n_free_, &again] {
+    SparseMatrix E = again();
+    cut(E, n_free);
+    return E;
+  };
+}
+
 void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients& coefficients) {
-  const SparseMatrix E = combine(system, coefficients);
+  SparseMatrix E = combine(system, coefficients);
   coupling_ = free_rows_of_prescribed(E, n_free_);
   prescribed_ = E.bottomRows(system.n_prescribed);
-  SparseMatrix room;
-  const SparseMatrix& free = free_block(E, n_free_, std::move(room));
-  factors_.refactor(free);
-  if (refined_) free_ = free;
+  cut(E, n_free_);
+  if (refined_) free_ = E;
+  factors_.refactor(std::move(E), free_again([&] { return combine(system, coefficients); }));
   check_inertia(system);
 }
 

@@ -45,14 +45,17 @@ class EffectiveMatrix {
   void refactor(const System& system, const EffectiveCoefficients& coefficients);
 
  private:
+  EffectiveMatrix(const System& system, SparseMatrix&& E, bool refined, const Factorisation::Again& again);
+  /// The block of the free unknowns of what `again`, which must outlive it, gives.
+  Factorisation::Again free_again(const Factorisation::Again& again) const;
   void check_inertia(const System& system) const;
 
   int n_free_;
   bool refined_;
   Layout layout_;
-  SparseMatrix free_;        ///< rows and columns of the free unknowns, where solutions are refined
   SparseMatrix coupling_;    ///< rows of the free, columns of the prescribed unknowns
   SparseMatrix prescribed_;  ///< rows of the prescribed unknowns, all columns
+  SparseMatrix free_;        ///< rows and columns of the free unknowns, where solutions are refined
   Factorisation factors_;
   mutable Vector residual_, correction_;
 };

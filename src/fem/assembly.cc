@@ -104,9 +104,9 @@ class Assembly {
   }
 
   void write(System& system) const {
-    system.M = sums_->matrix(sum_M);
-    system.C = sums_->matrix(sum_C);
-    system.K = sums_->matrix(sum_K);
+    sums_->matrix(sum_M).swap(system.M);  // Eigen copies a matrix where others move
+    sums_->matrix(sum_C).swap(system.C);
+    sums_->matrix(sum_K).swap(system.K);
     system.radiation.resize(unknowns_.size(), unknowns_.size());
     system.radiation.setFromTriplets(radiation_.begin(), radiation_.end());
   }

@@ -74,9 +74,13 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   return compiled;
 }
 
-CompiledScene with_courses(CompiledScene compiled, const Scene& scene) {
+void take_courses(const Scene& scene, CompiledScene& compiled) {
   for (std::size_t k = 0; k < compiled.load_of.size(); ++k)
     compiled.system.loads[k].history = scene.loads.at(compiled.load_of[k]).history;
+}
+
+CompiledScene with_courses(CompiledScene compiled, const Scene& scene) {
+  take_courses(scene, compiled);
   return compiled;
 }
 
@@ -87,8 +91,11 @@ AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::v
   const std::vector<Body> bodies = rigid_bodies(*space);
   const auto nodes = with_interface ? interface_nodes(*space) : std::vector<InterfaceNode>();
   const auto unknowns = std::make_shared<const Unknowns>(*space, part, bodies, nodes);
-  CompiledScene compiled = compile(part, *space, *unknowns, bodies, share_of(*space, processes), nodes);
-  return {space, unknowns, std::make_shared<const CompiledScene>(with_courses(std::move(compiled), scene))};
+  // in its place from the start: Eigen copies a matrix where others move
+  const std::shared_ptr<CompiledScene> compiled(
+      new CompiledScene(compile(part, *space, *unknowns, bodies, share_of(*space, processes), nodes)));
+  take_courses(scene, *compiled);
+  return {space, unknowns, compiled};
 }
 
 namespace {

@@ -34,7 +34,8 @@ struct CompiledScene {
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                       const AssemblyShare& share = {}, const std::vector<InterfaceNode>& interface = {});
 
-/// The same, its loads in the course that a scene gives them which differs in nothing else of system_scene.h.
+/// Gives the loads the course that they have in a scene which differs in nothing else of system_scene.h.
+void take_courses(const Scene& scene, CompiledScene& compiled);
 CompiledScene with_courses(CompiledScene compiled, const Scene& scene);
 
 /// The system of a scene and the data that its equations need; copies share the data.

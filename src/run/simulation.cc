@@ -63,7 +63,9 @@ std::optional<Simulation> taken_over(Simulation::Parts parts, const Simulation& 
   if (!is_same) return std::nullopt;
   parts.space = kept.space;
   parts.unknowns = kept.unknowns;
-  parts.compiled = std::make_shared<const CompiledScene>(with_courses(*kept.compiled, parts.scene));
+  const auto compiled = std::make_shared<CompiledScene>(*kept.compiled);
+  take_courses(parts.scene, *compiled);
+  parts.compiled = compiled;
   parts.room = kept.room;
   return Simulation(std::move(parts));
 }
@@ -78,17 +80,17 @@ namespace {
 Simulation divided(const Simulation& simulation) {
   if (!simulation.processes()) return simulation;
   const Stopwatch watch;
-  CompiledScene compiled = *simulation.compiled();
-  const std::vector<int> index = divide(compiled.system, compiled.body_coordinates, simulation.processes());
-  for (int& i : compiled.body_coordinates) i = index[static_cast<std::size_t>(i)];
-  for (Vector& motion : compiled.caisson_motions) {
+  const auto compiled = std::make_shared<CompiledScene>(*simulation.compiled());
+  const std::vector<int> index = divide(compiled->system, compiled->body_coordinates, simulation.processes());
+  for (int& i : compiled->body_coordinates) i = index[static_cast<std::size_t>(i)];
+  for (Vector& motion : compiled->caisson_motions) {
     const Vector whole = motion;
-    motion.resize(compiled.system.size());
+    motion.resize(compiled->system.size());
     for (std::size_t i = 0; i < index.size(); ++i)
       if (index[i] >= 0) motion[index[i]] = whole[static_cast<Eigen::Index>(i)];
   }
   return simulation.with([&](auto& parts) {
-    parts.compiled = std::make_shared<CompiledScene>(std::move(compiled));
+    parts.compiled = compiled;
     parts.room = nullptr;
     parts.timing.compile += watch.seconds();
   });

@@ -96,17 +96,16 @@ Sharing sharing_of(const System& system, const Part& part, std::shared_ptr<const
 }
 
 SparseMatrix restricted(const SparseMatrix& A, const Part& part) {
-  std::vector<int> outer{0}, inner;
-  std::vector<double> values;
-  for (const int i : part.unknowns) {
-    for (SparseMatrix::InnerIterator it(A, i); it; ++it) {
-      inner.push_back(part.index[it.col()]);
-      values.push_back(it.value());
-    }
-    outer.push_back(static_cast<int>(inner.size()));
-  }
   const auto n = static_cast<Eigen::Index>(part.unknowns.size());
-  return Eigen::Map<const SparseMatrix>(n, n, outer.back(), outer.data(), inner.data(), values.data());
+  SparseMatrix own(n, n);
+  own.reserve(A.nonZeros());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    own.startVec(k);
+    for (SparseMatrix::InnerIterator it(A, part.unknowns[k]); it; ++it)
+      own.insertBack(k, part.index[it.col()]) = it.value();
+  }
+  own.finalize();
+  return own;
 }
 
 Vector restricted(const Vector& b, const Part& part) {
@@ -134,7 +133,8 @@ void divide_readings(std::vector<Reading>& readings, const Part& part, bool is_f
 std::vector<int> divide(System& system, const std::vector<int>& on_all, std::shared_ptr<const Processes> processes) {
   require_one_size(system, *processes);
   const Part part(system, on_all, *processes);
-  for (SparseMatrix* matrix : {&system.M, &system.C, &system.K, &system.radiation}) *matrix = restricted(*matrix, part);
+  for (SparseMatrix* matrix : {&system.M, &system.C, &system.K, &system.radiation})
+    restricted(*matrix, part).swap(*matrix);
   for (SystemLoad& load : system.loads) {
     load.vector = restricted(load.vector, part);
     if (load.prescribed >= 0) load.prescribed = part.index[load.prescribed];

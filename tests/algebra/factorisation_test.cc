@@ -125,6 +125,31 @@ TEST(Factorisation, RefactorEqualsANewOne) {
   EXPECT_THROW(factors.refactor(quasi_definite(26, false).A), std::invalid_argument);
 }
 
+// A zero on the diagonal that is eliminated first is replaced, and solutions are refined by a matrix that is had anew.
+TEST(Factorisation, EmptiesAMatrixThatItMayAndSolvesAlike) {
+  const auto multiplier = [](double stiffness) {
+    Eigen::MatrixXd dense(3, 3);
+    dense << 0., 1., 0., 1., stiffness, 1., 0., 1., 3.;
+    return SparseMatrix(dense.sparseView());
+  };
+  for (const bool refined : {false, true}) {
+    const SparseMatrix first = refined ? multiplier(2.) : quasi_definite(25, false).A,
+                       second = refined ? multiplier(5.) : quasi_definite(25, false, false, 8).A;
+    const std::vector<IndexRange> blocks = refined ? std::vector<IndexRange>{} : quasi_definite(25, false).blocks;
+    const Vector b = Vector::LinSpaced(first.rows(), 1., 2.);
+    SparseMatrix given = first, other = second;
+    int asked = 0;
+    Factorisation factors(std::move(given), blocks, {}, [&] { return ++asked, first; });
+    EXPECT_EQ(factors.has_halves(), !refined);
+    EXPECT_EQ(given.nonZeros(), 0);
+    EXPECT_EQ(factors.solve(b), Factorisation(first, blocks).solve(b));
+    factors.refactor(std::move(other), [&] { return ++asked, second; });
+    EXPECT_EQ(other.nonZeros(), 0);
+    EXPECT_EQ(factors.solve(b), Factorisation(second, blocks).solve(b));
+    EXPECT_EQ(asked, refined ? 2 : 0);
+  }
+}
+
 // A solve in two halves: the first gives C^T A^-1 b, from which a law of contact may choose q; the second gives A^-1
 // (b - C q).
 TEST(Factorisation, IsHaltedHalfway) {

@@ -25,15 +25,14 @@ Ldlt::Ldlt(const SparseMatrix& A, const Sharing& sharing)
       root_(sharing.n_all > 0 ? sharing.processes->shared_matrix(sharing) : nullptr),
       work_size_(static_cast<std::size_t>(triangular_solve_work(nodes_))) {}
 
-void Ldlt::factorise(const SparseMatrix& A, const Vector& scale) {
-  std::vector<double> values(static_cast<std::size_t>(A.nonZeros()));
+void Ldlt::factorise(SparseMatrix& A, const Vector& scale) {
   for (int i = 0; i < A.rows(); ++i)
     for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
-      values[k] = scale[i] * A.valuePtr()[k] * scale[A.innerIndexPtr()[k]];
+      A.valuePtr()[k] = scale[i] * A.valuePtr()[k] * scale[A.innerIndexPtr()[k]];
   std::vector<double> left;
   fail_together(sharing_, [&] {
     const std::vector<int> signs = root_ ? std::vector<int>() : signs_of(A);
-    left = detail::factorise(nodes_, entries_, values.data(), factor_, signs);
+    left = detail::factorise(nodes_, entries_, A.valuePtr(), factor_, signs);
   });
   if (root_) {
     mirror(left, nodes_.n_root());

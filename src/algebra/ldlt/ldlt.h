@@ -17,10 +17,11 @@ class Ldlt {
   /// AIAA J. 1 (1963) 138). Throws NumericsError where CHOLMOD fails.
   explicit Ldlt(const SparseMatrix& A, const Sharing& sharing = {});
 
-  /// Factorises S A S, S = diag(scale), the diagonal of which should be +-1; A has the pattern of the constructor's.
+  /// Factorises S A S, S = diag(scale), the diagonal of which should be +-1; A has the pattern of the constructor's,
+  /// and becomes S A S.
   /// Throws NumericsError on a pivot that is not finite, and, where unknowns are shared, on a zero pivot; then on all
   /// processes. Otherwise a zero pivot is replaced, by a negative one where the diagonal was not positive.
-  void factorise(const SparseMatrix& A, const Vector& scale);
+  void factorise(SparseMatrix& A, const Vector& scale);
   /// X = A^-1 B; B and X (n x columns) may be the same matrix.
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const;
   /// The halves of a solve, where no unknown is shared: after begin(), halfway() is D^-1 L^-1 P S B, in elimination
