@@ -7,6 +7,18 @@
 
 namespace upbead {
 
+void Layout::take_first(double* values, std::size_t n) const {
+  if (!processes_) return;
+  if (processes_->rank() > 0) std::fill(values, values + n, 0.);
+  processes_->sum(values, static_cast<int>(n));
+}
+
+bool Layout::first_says(bool value) const {
+  double number = value ? 1. : 0.;
+  take_first(number);
+  return number > 0.;
+}
+
 double Layout::largest(double value) const {
   if (!processes_) return value;
   std::vector<double> all(static_cast<std::size_t>(processes_->count()), 0.);

@@ -129,10 +129,10 @@ Simulation bonded(const Simulation& simulation) {
 
 namespace {
 
-/// Every process adapts the mesh for itself, and all find the same one.
+/// Every process adapts the mesh for itself, by the same errors.
 Simulation adapted_among(const Scene& given, std::shared_ptr<const Mesh> mesh,
                          std::shared_ptr<const Processes> processes) {
-  const Simulation simulation = adapted(given, std::move(mesh));
+  const Simulation simulation = adapted(given, std::move(mesh), Layout(processes, {}));
   const bool with_interface = has_frictional_contact(simulation.scene());
   if (!processes && !with_interface) return simulation;
   const Stopwatch watch;

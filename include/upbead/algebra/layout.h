@@ -30,6 +30,11 @@ class Layout {
     if (processes_) processes_->sum(&part, 1);
     return part;
   }
+  /// Replaces values by those of the first process: what all decide by them, they decide alike.
+  void take_first(double* values, std::size_t n) const;
+  void take_first(std::vector<double>& values) const { take_first(values.data(), values.size()); }
+  void take_first(double& value) const { take_first(&value, 1); }
+  bool first_says(bool value) const;
   /// The largest of one number of each process, which is not below 0.
   double largest(double value) const;
   /// Values without those for which another process counts: parts of the whole vector.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/compile.h"
+#include "upbead/algebra/layout.h"
 #include "upbead/base/history.h"
 #include "upbead/run/simulation.h"
 
@@ -21,8 +22,9 @@ ShearError difference(const ShearHistory& answer, const ShearHistory& better);
 
 /// Splits those cells of a coarse mesh that contribute most to the error of F_T (mesh_error), until F_T on cells half
 /// as large differs little enough (compare_cells), and assembles the scene on that mesh; sets `accuracy` of the
-/// result. Throws InputError where the error cannot be measured or the mesh needs too many unknowns.
-Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse);
+/// result. Of several processes each makes the whole, by the errors that the first one finds. Throws InputError where
+/// the error cannot be measured or the mesh needs too many unknowns.
+Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse, const Layout& among = {});
 
 /// The scene on its mesh with every cell split into four, undivided. Soil that has followed the strain keeps its
 /// state in each cell; the interface is kept, or is as `with_interface` says.

@@ -11,6 +11,7 @@
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/slip_ahead.h"
 #include "run/solve.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -71,19 +72,19 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
     return respond(model.reduction(), scene, simulation.system());
   };
   const auto read = [&](const GrowingModel& model) { return bonded_answers(simulation, response(model)); };
+  const Layout among = layout_of(simulation.system());
   try {
     GrowingModel own(simulation.system(), reduce_options(scene, *simulation.compiled(), targets),
                      simulation.room().get());
     CellsCompared::Reduced compared;
     {
       GrowingModel better(finer.system, reduce_options(scene, finer, targets), on_finer.room().get());
-      if (!grow_side_by_side(own, better, read, share_of_difference * scene.tolerance)) return std::nullopt;
+      if (!grow_side_by_side(own, better, read, share_of_difference * scene.tolerance, among)) return std::nullopt;
       compared.coarse = response(own);
       compared.finer = response(better);
     }
-    while (!own.reduction().converged && own.grow()) {
-    }
-    if (!own.reduction().converged) return std::nullopt;
+    grow_to_its_end(own, among);
+    if (!among.first_says(own.reduction().converged)) return std::nullopt;
     compared.own = response(own);
     return compared;
   } catch (const NumericsError&) {

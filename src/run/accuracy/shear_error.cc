@@ -117,14 +117,16 @@ double driving(const Scene& given, const ShearError& error) {
 /// Splits cells until the error that they cause is small enough.
 class Adaptation {
  public:
-  Adaptation(const Scene& given, std::shared_ptr<const Mesh> coarse)
-      : given_(given), aim_(share_of_mesh * given.tolerance), mesh_(std::move(coarse)) {}
+  Adaptation(const Scene& given, std::shared_ptr<const Mesh> coarse, Layout among)
+      : given_(given), aim_(share_of_mesh * given.tolerance), mesh_(std::move(coarse)), among_(std::move(among)) {}
 
   /// The scene on the present mesh; its accuracy is set where this mesh is good enough.
   Simulation assemble() {
     const Simulation simulation = with_room(on_mesh(given_, mesh_));  // for the comparison, then for the solution
     require_measurable(simulation);
     cells_ = mesh_error(simulation.scene(), *simulation.space(), *simulation.unknowns(), *simulation.compiled());
+    among_.take_first(cells_.of_cell);
+    among_.take_first(cells_.sum);
     const int n = simulation.system().n_free();
     if (n > most_unknowns) throw_out_of_reach(given_, accuracy_, n);
     measured_ = scale_ * cells_.sum <= aim_;
@@ -155,7 +157,10 @@ class Adaptation {
   /// Whether the error is small enough.
   bool measure(const Simulation& simulation, int n) {
     accuracy_.compared = std::make_shared<const CellsCompared>(compare_cells(simulation));
-    accuracy_.levels.push_back({n, accuracy_.compared->error});
+    ShearError found = accuracy_.compared->error;
+    among_.take_first(found.peak);
+    among_.take_first(found.history);
+    accuracy_.levels.push_back({n, found});
     const double error = driving(given_, accuracy_.levels.back().error);
     if (cells_.sum > 0.) scale_ = error / cells_.sum;
     return error <= aim_;
@@ -169,13 +174,14 @@ class Adaptation {
   bool measured_ = false;  ///< whether the present mesh was compared with a finer one
   int n_stuck_ = 0;        ///< number of successive measurements by which the error had hardly fallen
   double scale_ = 0.;      ///< true error over the sum of the cells' errors, as last measured
+  Layout among_;           ///< the processes of a run, which need one mesh
 };
 
 }  // namespace
 
-Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
+Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse, const Layout& among) {
   const Stopwatch watch;
-  Adaptation adaptation(given, coarse);
+  Adaptation adaptation(given, coarse, among);
   const auto progress = shown_progress("refining the mesh");
   for (;;) {
     progress(adaptation.done());

@@ -1,6 +1,8 @@
 #include "run/accuracy/side_by_side.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "upbead/base/error.h"
 
@@ -25,25 +27,45 @@ bool is_settled(const SideBySide& last, const SideBySide& now, double enough) {
   return true;
 }
 
+/// What a process does for itself: where it fails on one, all throw.
+bool grown_by_itself(GrowingModel& model, const Layout& among) {
+  bool grew = false;
+  std::string failed;
+  try {
+    grew = model.grow();
+  } catch (const NumericsError& error) {
+    failed = error.what();
+  }
+  if (among.largest(failed.empty() ? 0. : 1.) > 0.)
+    throw NumericsError(failed.empty() ? "another process could not enlarge its model" : failed);
+  return grew;
+}
+
 }  // namespace
 
 std::optional<SideBySide> grow_side_by_side(GrowingModel& coarse, GrowingModel& finer, const ReadModel& read,
-                                            double enough) {
+                                            double enough, const Layout& among) {
   std::optional<SideBySide> last;
   for (;;) {
-    const bool coarse_grew = coarse.grow(), finer_grew = finer.grow();
-    if (!coarse_grew && !finer_grew) break;
+    const bool coarse_grew = coarse.grow(), finer_grew = grown_by_itself(finer, among);
+    if (!among.first_says(coarse_grew || finer_grew)) break;
     std::optional<SideBySide> now;
     try {
       now = SideBySide{read(coarse), read(finer)};
     } catch (const NumericsError&) {
       // too few vectors to evaluate the model
     }
+    if (among.largest(now ? 0. : 1.) > 0.) now.reset();
     const bool known = coarse.reduction().converged && finer.reduction().converged;
-    if (now && (known || (last && is_settled(*last, *now, enough)))) return now;
+    if (among.first_says(now && (known || (last && is_settled(*last, *now, enough))))) return now;
     last = std::move(now);
   }
   return std::nullopt;
+}
+
+void grow_to_its_end(GrowingModel& model, const Layout& among) {
+  while (!among.first_says(model.reduction().converged) && model.grow()) {
+  }
 }
 
 }  // namespace upbead

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/growing_model.h"
+#include "upbead/algebra/layout.h"
 
 namespace upbead {
 
@@ -26,7 +27,14 @@ struct SideBySide {
 /// moments of both transfer functions about the shift [Bai and Su 2005], and so those of their difference. So the
 /// difference has the same relative accuracy as either response: both models lack about the same, and that cancels.
 /// None where the models cannot grow that far. Throws NumericsError as GrowingModel::grow() does.
+///
+/// `coarse` may be of a divided system, whose layout is `among`, and `finer` be made by each process for itself: then
+/// the first process decides when to stop, as another that stops elsewhere by round-off would be waited for; and where
+/// one fails, NumericsError is thrown on all.
 std::optional<SideBySide> grow_side_by_side(GrowingModel& coarse, GrowingModel& finer, const ReadModel& read,
-                                            double enough);
+                                            double enough, const Layout& among = {});
+
+/// Grows a model until it has converged, or can grow no more; the first process decides, likewise.
+void grow_to_its_end(GrowingModel& model, const Layout& among);
 
 }  // namespace upbead

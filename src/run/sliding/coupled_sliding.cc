@@ -14,6 +14,7 @@
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/slip_ahead.h"
 #include "sliding/coupled_slip.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -106,19 +107,19 @@ std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Cel
   const auto options = [&](const Simulation& on) {
     return slip_options(scene, *on.compiled(), slip_uplift(*scene.sliding), bonded);
   };
+  const Layout among = layout_of(simulation.system());
   try {
     GrowingModel own(basis_for_slip(simulation), options(simulation));
     SlipCompared compared;
     {
       const Simulation finer = finer_than(simulation, cells);
       GrowingModel better(basis_for_slip(finer), options(finer));
-      const auto found = grow_side_by_side(own, better, read, enough * scene.tolerance);
+      const auto found = grow_side_by_side(own, better, read, enough * scene.tolerance, among);
       if (!found) return std::nullopt;
       compared.coarse = found->coarse[0][0];
       compared.finer = found->finer[0][0];
     }
-    while (!own.reduction().converged && own.grow()) {
-    }
+    grow_to_its_end(own, among);
     compared.own = slip(own);
     return compared;
   } catch (const NumericsError&) {
