@@ -29,12 +29,12 @@ const char* const run_footer =
 Prints one screen: verdict, checks, warnings, F_T/P, S and where the files are; --details prints the rest.
 
 A long run can be stopped and resumed, with the same result to the last bit (not with contact, or soil that follows
-its strain), and on another number of processes:
+its strain), and on another number of processes (not with soil that yields):
   upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
   upbead run CASE --checkpoint 600 --resume
 
 On several processes (mpirun -n 2 upbead run CASE, or srun --mpi=pmix) the mesh is divided among them; the answer is
-the same up to round-off. Soil that yields is for one process alone.
+the same up to round-off, with soil that yields up to what its solves leave.
 
 Examples:
   upbead run cases/fig2b-model.toml

@@ -90,6 +90,7 @@ MarchObserver* FieldOutput::begin(const Simulation& simulation) {
 }
 
 void FieldOutput::follow(YieldingSoil& soil) {
+  soil_ = &soil;
   if (writer_) writer_->follow(soil);
 }
 
@@ -106,6 +107,7 @@ void FieldOutput::see(const State& state, int, int) {
 }
 
 void FieldOutput::write(const State& state) {
+  if (!writer_ && soil_) soil_->borne();  // the first process asks for the stresses, and all have a part of them
   if (!writer_) return;
   if (state.time == 0.) writer_->take_over({});  // the march begins anew, as the one before was rejected
   writer_->write(state);

@@ -45,6 +45,7 @@ class FieldOutput : public MarchObserver {
 
   const Scene& scene_;
   const Simulation* marched_ = nullptr;
+  YieldingSoil* soil_ = nullptr;
   std::optional<FieldWriter> writer_;
   std::vector<std::pair<double, std::string>> taken_over_;
   const OutputFolder* folder_;

@@ -92,7 +92,10 @@ std::vector<std::string> run_files() {
 }
 
 /// Throws InputError at the keys of a case that cannot be solved on several processes.
-void check_processes(const Case& input) {
+void check_processes(const Case& input, const CaseOptions& options) {
+  if ((options.checkpoint_every > 0. || options.resume) && yields(input.scene))
+    throw InputError({}, "soil that yields keeps no checkpoints on several processes",
+                     "leave out --checkpoint and --resume, or run upbead alone, without mpirun");
   Diagnostics mistakes;
   for (const Exclusion& reason : excluded(input.scene, Treatment::several_processes))
     mistakes.add(input.place(reason.key), reason.why + " on several processes",
@@ -143,7 +146,7 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   require_trust(input, options.trusted);
   require_loads(input);
   if (is_first) std::cerr << notes_on(input) << note_on_launch(processes.get());
-  if (processes) check_processes(input);
+  if (processes) check_processes(input, options);
   const PetscOptionsGiven petsc = given_to_petsc(options, processes.get());
   note_interrupts();
   std::optional<OutputFolder> folder;

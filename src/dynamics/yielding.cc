@@ -13,6 +13,7 @@
 #include "dynamics/contact_stage.h"
 #include "dynamics/dirk.h"
 #include "dynamics/scheme_base.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -28,6 +29,7 @@ class YieldingStage : public StageLaw {
  public:
   YieldingStage(const System& system, InternalForce& force, const YieldingOptions& options)
       : system_(system),
+        layout_(layout_of(system)),
         force_(force),
         tolerance_(options.tolerance),
         least_(std::max(round_off * options.weight, std::numeric_limits<double>::min())),
@@ -96,6 +98,7 @@ class YieldingStage : public StageLaw {
 
   static constexpr double round_off = 1e-6;  ///< with a tolerance of 1e-6: 1e-12 of the weights
   const System& system_;
+  Layout layout_;
   InternalForce& force_;
   double tolerance_, least_;
   double largest_ = 0.;  ///< largest norm so far of loads or soil forces: the tolerance is a share of it (N/m)
@@ -124,7 +127,8 @@ void YieldingStage::guess(double time) {
 void YieldingStage::move(const Vector& q) {
   const std::vector<int>& rows = force_.rows();
   const auto add = [&](Vector& rhs) {
-    for (std::size_t i = 0; i < rows.size(); ++i) rhs[rows[i]] += q[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i] >= 0) rhs[rows[i]] += q[static_cast<Eigen::Index>(i)];
   };
   if (contact_) {
     stage_->rhs = given_.rhs;
@@ -153,11 +157,12 @@ void YieldingStage::evaluate(const Vector& q, Vector& p) {
   }
 }
 
+/// Of a force of which each process has the rows for which it counts.
 double YieldingStage::of_displacements(const Vector& force) const {
   double sum = 0.;
   for (int i = 0; i < system_.n_free(); ++i)
     if (system_.field[i] == Field::displacement) sum += force[i] * force[i];
-  return std::sqrt(sum);
+  return std::sqrt(layout_.sum(sum));
 }
 
 /// Norm of the forces that the tolerance is a share of. Where neither loads nor soil have exerted any so far, it is
@@ -171,7 +176,8 @@ double YieldingStage::scale(double g) {
   a.tail(n) = stage.a.tail(n);
   v.tail(n) = stage.v_predicted.tail(n) + g * a.tail(n);
   x.tail(n) = stage.x.tail(n) + g * g * a.tail(n);
-  return std::max(least_, of_displacements(system_.M * a + system_.C * v + system_.K * x));
+  const Vector force = system_.M * a + system_.C * v + system_.K * x;
+  return std::max(least_, of_displacements(layout_.counted(values_of(system_, force))));
 }
 
 bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
@@ -203,6 +209,7 @@ void YieldingStage::take_work(const DirkStage& stage) {
   const std::vector<int>& rows = force_.rows();
   on_prescribed_ = Vector::Zero(system_.n_prescribed);
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] < 0) continue;
     const double force = q_[static_cast<Eigen::Index>(i)];
     work_ += stage.weight * force * stage.v[rows[i]];
     if (rows[i] >= system_.n_free()) on_prescribed_[rows[i] - system_.n_free()] = force;
@@ -214,7 +221,7 @@ void YieldingStage::take_work(const DirkStage& stage) {
 class YieldingDirk : public SchemeBase {
  public:
   YieldingDirk(const System& system, InternalForce& force, const YieldingOptions& options)
-      : SchemeBase(checked(system), SchemeOptions{SchemeKind::sdirk4, 0., true, options.refined}),
+      : SchemeBase(system, SchemeOptions{SchemeKind::sdirk4, 0., true, options.refined}),
         force_(force),
         smooth_(system, friction_tableau()),
         impact_(smooth_, euler_tableau()),
@@ -243,10 +250,6 @@ class YieldingDirk : public SchemeBase {
  private:
   enum class Outcome { done, impact, unsolved };
 
-  static const System& checked(const System& system) {
-    if (system.is_divided()) throw std::invalid_argument("soil that yields is not done on several processes");
-    return system;
-  }
   bool has_contact() const { return system_.interface.has_value(); }
   Outcome attempt(Dirk& dirk, State& state, double h, double inside);
   void advance_halving(State& state, double h, double inside, int depth);
@@ -347,7 +350,8 @@ void YieldingDirk::report_contact() {
 }
 
 SchemeMemory YieldingDirk::memory() const {
-  if (has_contact()) throw std::invalid_argument("a march with contact keeps no checkpoints");
+  if (has_contact() || system_.is_divided())
+    throw std::invalid_argument("soil that yields keeps no checkpoints with contact, nor on several processes");
   SchemeMemory memory = SchemeBase::memory();
   const YieldingStage::Memory stage = stage_.memory();
   memory.history = {stage.work,

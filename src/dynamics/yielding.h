@@ -38,7 +38,9 @@ struct YieldingOptions {
 /// decided for every p on the way, so that at the fixed point of a stage both laws hold. Order 2 while no node closes;
 /// four steps of order 1 where one does. Then Scheme::contact() reports as well, and no checkpoints are kept.
 ///
-/// `force` outlives the scheme. Throws std::invalid_argument where the system is divided.
+/// Where the system is divided, each process has the whole p and decides alike; then no checkpoints are kept, either.
+///
+/// `force` outlives the scheme.
 std::unique_ptr<Scheme> make_yielding_scheme(const System& system, InternalForce& force,
                                              const YieldingOptions& options = {});
 

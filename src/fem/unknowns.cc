@@ -11,13 +11,13 @@ using namespace dealii;
 namespace {
 
 /// The field of every degree of freedom, and for each cell with W its degrees of freedom of W.
-struct Layout {
+struct CellLayout {
   std::vector<Field> field;
   std::vector<Dofs> W;
 };
 
-Layout layout_of(const Space& space) {
-  Layout layout;
+CellLayout cell_layout(const Space& space) {
+  CellLayout layout;
   layout.field.assign(space.dofs().n_dofs(), Field::displacement);
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     const auto& fe = cell->get_fe();
@@ -72,7 +72,7 @@ const Row& Unknowns::caisson_expansion(types::global_dof_index dof) const {
 void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates,
                       const std::vector<Field>& prescribed) {
   const auto n_dofs = space.dofs().n_dofs();
-  const Layout layout = layout_of(space);
+  const CellLayout layout = cell_layout(space);
   std::vector<int> index(n_dofs + n_coordinates + prescribed_.size() + 2 * static_cast<std::size_t>(n_interface_), -1);
   const auto append = [&](types::global_dof_index i, Field field) {
     index[i] = size();

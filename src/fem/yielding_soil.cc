@@ -8,10 +8,12 @@
 #include <typeinfo>
 #include <utility>
 
+#include "algebra/fail_together.h"
 #include "base/crew.h"
 #include "base/numbers.h"
 #include "fem/cell_pack.h"
 #include "fem/followed_stress.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -27,10 +29,10 @@ class SoilNodes {
   int number(int dof) { return number_.emplace(dof, size()).first->second; }
   int size() const { return static_cast<int>(number_.size()); }
   /// Call after all degrees of freedom have their numbers.
-  void connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings);
+  void connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings, const System* divided);
 
-  /// Unknowns on which the displacements depend, ascending.
-  const std::vector<int>& rows() const { return rows_; }
+  /// Unknowns on which the displacements depend, ascending; -1 where another process counts for one.
+  const std::vector<int>& rows() const { return rows_here_; }
   /// u has one more entry than nodes, which is zero: lanes without a cell take it.
   void displace(const Vector& x, Vector& u) const { u = of_unknowns_ * x; }
   /// p of the rows, from nodal forces.
@@ -43,11 +45,21 @@ class SoilNodes {
 
  private:
   std::map<int, int> number_;
-  std::vector<int> rows_;
+  std::vector<int> rows_, rows_here_;
   SparseMatrix of_unknowns_, in_readings_;  ///< displacements by unknowns; readings by nodal forces
 };
 
-void SoilNodes::connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings) {
+/// The numbers that this process has for rows of the whole system.
+std::vector<int> numbers_here(const std::vector<int>& rows, const System& part) {
+  std::vector<int> here(rows.size(), -1);
+  for (const auto& [number, whole] : part.part.counted)
+    if (const auto at = std::lower_bound(rows.begin(), rows.end(), whole); at != rows.end() && *at == whole)
+      here[static_cast<std::size_t>(at - rows.begin())] = number;
+  return here;
+}
+
+void SoilNodes::connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings,
+                        const System* divided) {
   std::vector<Eigen::Triplet<double>> displacement, reading;
   for (const auto& [dof, node] : number_)
     for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dof)))
@@ -57,6 +69,7 @@ void SoilNodes::connect(const Unknowns& unknowns, int n_unknowns, const std::vec
       }
   std::sort(rows_.begin(), rows_.end());
   rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+  rows_here_ = divided != nullptr ? numbers_here(rows_, *divided) : rows_;
   for (std::size_t r = 0; r < readings.size(); ++r)
     for (const auto& [dof, weight] : readings[r].nodal_forces)
       if (const auto found = number_.find(static_cast<int>(dof)); found != number_.end())
@@ -75,6 +88,14 @@ struct Waiting {
 /// Kind of soil, number of nodes and of points.
 using PackKey = std::tuple<std::string, std::size_t, std::size_t>;
 
+/// The soil of the cells whose laws this process evaluates.
+PointsOfCells own_points(const PointsOfCells& points, const SoilWork& work) {
+  if (work.divided == nullptr) return points;
+  return [&](unsigned cell, unsigned point) {
+    return work.own_cells[cell] ? points(cell, point) : std::unique_ptr<SoilPoint>();
+  };
+}
+
 int n_unknowns(const Unknowns& unknowns, const SoilWork& work) {
   return work.n_unknowns > 0 ? work.n_unknowns : unknowns.size();
 }
@@ -92,7 +113,10 @@ class SoilOfCells : public YieldingSoil {
   double exerted() const override { return exerted_; }
   const std::vector<double>& dissipated() const override { return lost_; }
   std::vector<std::vector<BorneStress>> borne() override;
-  double share_skipped() const override { return n_updates_ > 0. ? n_skipped_ / n_updates_ : 0.; }
+  double share_skipped() const override {
+    const double updates = layout_.sum(n_updates_), skipped = layout_.sum(n_skipped_);
+    return updates > 0. ? skipped / updates : 0.;
+  }
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 
@@ -101,8 +125,14 @@ class SoilOfCells : public YieldingSoil {
   /// Calls `work` for each pack, on several threads, with displacements u; then sums the packs' nodal forces.
   void sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F);
   void commit_pack(std::size_t pack);
+  /// Values of the whole system; those that this process does not hold are zero.
+  const Vector& whole(const Vector& x);
+  void add_up(std::vector<std::vector<BorneStress>>& found) const;
 
   bool skips_;
+  const System* divided_;
+  Layout layout_;
+  Vector whole_;
   SoilNodes nodes_;
   std::vector<CellPack> packs_;
   std::vector<double> lost_;                  ///< by active cell index (J/m)
@@ -120,8 +150,10 @@ class SoilOfCells : public YieldingSoil {
 SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
                          const PointsOfCells& points, const SoilWork& work)
     : skips_(work.skip),
+      divided_(work.divided),
+      layout_(divided_ != nullptr ? layout_of(*divided_) : Layout()),
       crew_(work.threads),
-      followed_(space, unknowns, n_unknowns(unknowns, work), readings, points, work.followed),
+      followed_(space, unknowns, n_unknowns(unknowns, work), readings, own_points(points, work), work.followed),
       added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
   std::map<PackKey, Waiting> waiting;
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
@@ -134,6 +166,7 @@ SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std
     for (auto& node : shapes.dofs)
       for (int& dof : node) dof = nodes_.number(dof);
     at_.back() = shapes.at;
+    if (divided_ != nullptr && !work.own_cells[index]) continue;
     const SoilPoint& first = *soil;
     Waiting& others = waiting[{typeid(first).name(), shapes.dofs.size(), shapes.area.size()}];
     SoilPoints& of_cell = others.cells.emplace_back();
@@ -141,7 +174,7 @@ SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std
       of_cell.push_back(soil ? std::move(soil) : points(index, static_cast<unsigned>(q)));
     others.shapes.push_back(std::move(shapes));
   }
-  nodes_.connect(unknowns, n_unknowns(unknowns, work), readings);
+  nodes_.connect(unknowns, n_unknowns(unknowns, work), readings, divided_);
   make_packs(waiting, work.by_points);
   nodes_.displace(Vector::Zero(n_unknowns(unknowns, work)), committed_);
 }
@@ -162,19 +195,30 @@ void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting, bool by_points
 }
 
 void SoilOfCells::sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F) {
-  crew_.share(static_cast<int>(packs_.size()), [&](int i) {
-    const auto pack = static_cast<std::size_t>(i);
-    packs_[pack].take(u);
-    packs_[pack].clear_forces();
-    work(pack);
+  detail::fail_together(divided_ != nullptr ? divided_->sharing : Sharing(), [&] {
+    crew_.share(static_cast<int>(packs_.size()), [&](int i) {
+      const auto pack = static_cast<std::size_t>(i);
+      packs_[pack].take(u);
+      packs_[pack].clear_forces();
+      work(pack);
+    });
   });
   // one pack after another, so that the sum does not depend on the number of threads
   F.setZero(nodes_.size() + 1);
   for (const CellPack& pack : packs_) pack.give(F);
+  layout_.add_up(F);
+}
+
+const Vector& SoilOfCells::whole(const Vector& x) {
+  if (divided_ == nullptr) return x;
+  whole_.setZero(divided_->part.n_whole);
+  for (std::size_t i = 0; i < divided_->part.number.size(); ++i)
+    whole_[divided_->part.number[i]] = x[static_cast<Eigen::Index>(i)];
+  return whole_;
 }
 
 void SoilOfCells::evaluate(const Vector& x, Vector& p) {
-  nodes_.displace(x, u_);
+  nodes_.displace(whole(x), u_);
   const auto correct = [this](std::size_t i) {
     CellPack& pack = packs_[i];
     rested_[i] = skips_ && pack.rests();
@@ -217,7 +261,7 @@ void SoilOfCells::commit_pack(std::size_t i) {
 
 /// The nodal force of the ground is K x - p, summed over its cells.
 double SoilOfCells::commit(const Vector& x) {
-  nodes_.displace(x, committed_);
+  nodes_.displace(whole(x), committed_);
   const auto elastic = [this](std::size_t i) {
     CellPack& pack = packs_[i];
     for (int q = 0; q < pack.n_points(); ++q) pack.add_force(q, pack.elastic_stress(pack.strain(q)));
@@ -228,17 +272,36 @@ double SoilOfCells::commit(const Vector& x) {
   nodes_.gather(elastic_F_ - F_, total_);
   exerted_ = total_.norm();
   added_.setZero();
-  nodes_.subtract_from_readings(F_, added_);
-  followed_.commit(x, added_);
+  if (divided_ == nullptr || counts_for_prescribed(*divided_)) nodes_.subtract_from_readings(F_, added_);
+  followed_.commit(whole(x), added_);
   double dissipated = 0.;
   stored_sum_ = 0.;
+  Vector lost = Vector::Zero(static_cast<Eigen::Index>(lost_.size()));
   for (std::size_t i = 0; i < packs_.size(); ++i)
     for (int lane = 0; lane < packs_[i].n_cells(); ++lane) {
-      lost_[static_cast<std::size_t>(packs_[i].cell(lane))] += lost_of_[i].value[lane];
+      lost[packs_[i].cell(lane)] = lost_of_[i].value[lane];
       dissipated += lost_of_[i].value[lane];
       stored_sum_ += stored_[i].value[lane];
     }
+  layout_.add_up(lost);
+  for (std::size_t i = 0; i < lost_.size(); ++i) lost_[i] += lost[static_cast<Eigen::Index>(i)];
   return dissipated;
+}
+
+void SoilOfCells::add_up(std::vector<std::vector<BorneStress>>& found) const {
+  const auto each = [&](const auto& see) {
+    Eigen::Index i = 0;
+    for (std::vector<BorneStress>& cell : found)
+      for (BorneStress& point : cell)
+        for (double* number :
+             {&point.change.xx, &point.change.yy, &point.change.xy, &point.change.zz, &point.mobilised})
+          see(*number, i++);
+    return i;
+  };
+  Vector all(each([](double, Eigen::Index) {}));
+  each([&](double number, Eigen::Index i) { all[i] = number; });
+  layout_.add_up(all);
+  each([&](double& number, Eigen::Index i) { number = all[i]; });
 }
 
 /// By packs: the stress of one cell costs as much as those of eight.
@@ -259,6 +322,10 @@ std::vector<std::vector<BorneStress>> SoilOfCells::borne() {
       }
     }
   }
+  if (divided_ == nullptr) return found;
+  for (std::size_t cell = 0; cell < found.size(); ++cell)
+    for (std::size_t q = found[cell].size(); q < at_[cell].size(); ++q) found[cell].push_back({at_[cell][q], {}, 0.});
+  add_up(found);
   return found;
 }
 

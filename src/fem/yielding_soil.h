@@ -41,6 +41,11 @@ struct SoilWork {
   /// part of p is bitwise what it was.
   bool skip = true;
   int n_unknowns = 0;  ///< of the system, where it lacks the last ones of `unknowns`, those of an interface; 0: all
+  /// The system, where it is divided, and the cells of this process: each evaluates the laws of its own, and the forces
+  /// of all are summed. What the soil then tells is that of the whole, but for the energies and readings, which are
+  /// parts; all processes make the same calls.
+  const System* divided = nullptr;
+  std::vector<bool> own_cells{};
   std::vector<FollowedReading> followed{};  ///< readings that take the law's stress
 };
 

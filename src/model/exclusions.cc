@@ -183,7 +183,7 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-          {Treatment::several_processes, yielding, "no soil yields"},
+          {Treatment::several_processes, densification, "no soil packs denser"},
           {Treatment::several_processes, springs, "no caisson stands on springs"},
           {Treatment::adapted_mesh, springs, "there is no ground whose cells it could split"},
           {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},

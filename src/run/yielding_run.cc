@@ -6,7 +6,9 @@
 
 #include "base/progress.h"
 #include "base/text.h"
+#include "dynamics/joined.h"
 #include "dynamics/yielding.h"
+#include "fem/assembly.h"
 #include "fem/compile.h"
 #include "fem/rest_state.h"
 #include "fem/soil_laws.h"
@@ -16,6 +18,7 @@
 #include "run/construction.h"
 #include "run/derived.h"
 #include "run/yielding_watch.h"
+#include "system/part.h"
 
 namespace upbead {
 
@@ -61,7 +64,12 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
 /// The work of soil; a system whose interface is bonded lacks the interface's unknowns.
 SoilWork work_of(const Simulation& simulation) {
   SoilWork work;
-  work.n_unknowns = simulation.system().size();
+  const System& system = simulation.system();
+  work.n_unknowns = whole_size(system);
+  if (system.is_divided()) {
+    work.divided = &system;
+    work.own_cells = own_cells(*simulation.space(), *simulation.processes());
+  }
   work.followed = followed_readings(*simulation.space(), simulation.scene());
   return work;
 }
@@ -123,13 +131,15 @@ Solution march_from(const Simulation& simulation, RestStart start, const Rest& r
       system, *soil, {yielding_tolerance * whole_tolerance(simulation), way.refined, rest.elastic.weight});
   if (marching.soil) marching.soil(*soil);
   YieldingWatch watch(*simulation.space(), *simulation.unknowns(), *soil);
+  WholeStates watching(system, watch);
   Marching followed = marching;
-  followed.observers.push_back(&watch);
+  followed.observers.push_back(&watching);
   if (MarchObserver* observer = nodes.begin ? nodes.begin(*scheme) : nullptr)
     followed.observers.insert(followed.observers.begin(), observer);
   Solution solution = march_by(*scheme, simulation, "soil that yields", followed, way.part);
   solution.discretisation.why_scheme += "; " + percent(soil->share_skipped()) +
                                         " of the updates of cells were left out, as no soil in those cells could yield";
+  if (system.is_divided()) solution.response.final_state = joined(system, solution.response.final_state);
   solution.yielding = yielding_of(simulation, start, rest, laws, *soil, watch, *scheme->yielding(), solution);
   if (nodes.end) solution.contact = nodes.end();
   return solution;

@@ -8,12 +8,14 @@
 
 namespace upbead {
 
-/// The force p that corrects the elastic K x, and its history. p is zero as long as nothing has yielded.
+/// The force p that corrects the elastic K x, and its history. p is zero as long as nothing has yielded. Where the
+/// system is divided, p is that of the whole, the same on all processes, while energies and readings are parts.
 class InternalForce {
  public:
   virtual ~InternalForce() = default;
 
-  /// Rows of the system in which p may be other than zero, ascending.
+  /// Rows of the system in which p may be other than zero, ascending; where it is divided, those of the whole system,
+  /// -1 for each for which another process counts.
   virtual const std::vector<int>& rows() const = 0;
   /// p at x in these rows, from the committed history; earlier calls of evaluate() have no effect.
   virtual void evaluate(const Vector& x, Vector& p) = 0;

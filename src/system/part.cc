@@ -148,6 +148,7 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
   system.blocks = std::move(blocks);
   system.sharing = sharing_of(system, part, std::move(processes));
   system.part.n_whole = system.size();
+  system.part.number = part.unknowns;
   for (int i = 0; i < system.size(); ++i) {
     if (part.owns(i)) system.part.counted.emplace_back(part.index[i], i);
     system.part.n_phi_elsewhere +=

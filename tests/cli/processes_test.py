@@ -38,6 +38,13 @@ SCENES = {
 STRAIN = [f"regions.{name}.strain={{reference_strain=1e-3, smallest_damping=0.05, largest_damping=0.2}}"
           for name in ("seabed", "mound")]
 
+# soil of both laws, so soft that the mound fails at its edges and all of the seabed yields
+YIELDING = [*SCENES["rigid"], "time.end=0.3", "loads.impulse.factor=2",
+            "regions.mound.law=mohr_coulomb", "regions.mound.strength={friction_angle=42, cohesion=2e3}",
+            "regions.seabed.law=hysteretic", "regions.seabed.strain={reference_strain=1e-3}"]
+# tolerable residual of a stage of such soil, over the largest force (src/run/solve.h), by the tolerance of F_T
+RESIDUAL = 2e-4 * 5e-3
+
 # As srun --mpi=pmix starts a program: with the variables of PMIx and Slurm, and without those of Open MPI.
 AS_SRUN = '''for name in $(env | grep -oE "^(OMPI|ORTE)_[A-Za-z0-9_]*"); do unset $name; done
 export SLURM_NODELIST=here SLURM_JOBID=1 SLURM_STEPID=0 SLURM_JOB_ID=1 SLURM_STEP_ID=0
@@ -157,6 +164,64 @@ class Processes(ProgramTest):
     def test_gives_the_same_soil_by_strain_marched_at_length(self):
         self.compare(STRAIN, [2, 3, 4])
 
+    def compare_yielding(self, keys, numbers):
+        """F_T, the work that the soil took, and what is said of the soil are those of one process."""
+        alone = self.run_on(1, *keys)
+        self.assertGreater(alone["energy"]["plastic"], 0.01 * alone["energy"]["work"])
+        shear = self.histories(1)["shear_force"][0]
+        for n in numbers:
+            both = self.run_on(n, *keys)
+            change = np.abs(self.histories(n)["shear_force"][0] - shear).max() / np.abs(shear).max()
+            self.assertLess(change, RESIDUAL)
+            for key in ("steps", "factorisations"):
+                self.assertEqual(both["discretisation"][key], alone["discretisation"][key])
+            self.assertLess(both["response"]["reaction_mismatch"], 1e-6)
+            self.assertLess(both["response"]["energy_mismatch"], 1e-6)
+            for part in ("work", "plastic", "kinetic", "strain", "damping"):
+                self.assertAlmostEqual(both["energy"][part], alone["energy"][part], delta=1e-6 * alone["energy"]["work"])
+            for key in ("share_yielded", "share_skipped", "stages", "cut_steps"):
+                self.assertAlmostEqual(both["nonlinear"][key], alone["nonlinear"][key], delta=2e-3, msg=key)
+            self.assertEqual([each["region"] for each in both["nonlinear"]["regions"]],
+                             [each["region"] for each in alone["nonlinear"]["regions"]])
+            for found, there in zip(both["nonlinear"]["regions"], alone["nonlinear"]["regions"]):
+                self.assertAlmostEqual(found["largest"], there["largest"], delta=1e-5)
+                self.assertAlmostEqual(found["share"], there["share"], delta=0.02)  # some cells are at their strength's edge
+
+    def test_gives_the_same_soil_that_yields(self):
+        self.compare_yielding(YIELDING, [2, 3])
+
+    def test_gives_the_same_soil_that_yields_on_two_to_four_with_and_without_friction_at_length(self):
+        self.compare_yielding(YIELDING, [2, 3, 4])
+        self.compare_yielding([*YIELDING, "regions.caisson.interface.kind=friction", "loads.impulse.factor=5"], [2, 3, 4])
+
+    def test_writes_the_stresses_of_soil_that_yields(self):
+        name, fields = "dissipated_energy_(J_m3)", {}
+        for n in (1, 2):
+            self.run_on(n, *YIELDING, "output.fields.every=0.1")
+            fields[n] = [vtu.arrays(path, {name, "mobilised_strength_(1)"})
+                         for _, path in vtu.times(self.folder / f"on{n}/fields.pvd")]
+        for found, alone in zip(fields[2], fields[1]):
+            self.assertEqual(sorted(found), sorted(alone))
+            for name in alone:
+                np.testing.assert_array_equal(np.isnan(found[name]), np.isnan(alone[name]))  # where nothing yields
+                self.assertLess(np.nanmax(np.abs(found[name] - alone[name])), 1e-5 * max(1, np.nanmax(np.abs(alone[name]))))
+
+    def test_keeps_no_checkpoint_of_soil_that_yields(self):
+        done = mpirun(2, "run", CASE, *with_keys([*SCENE, *YIELDING]), "--out", "none", "--checkpoint", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stderr.count("keeps no checkpoints on several processes"), 1, done.stderr)
+
+    def test_estimates_the_error_alike(self):
+        keys = ["time.scheme=auto", "accuracy.estimate=true"]
+        alone = self.run_on(1, *keys)
+        for n in (2, 3):
+            both = self.run_on(n, *keys)
+            for key, value in alone["response"]["error_estimate_parts"].items() if "error_estimate_parts" in alone[
+                    "response"] else []:
+                self.assertAlmostEqual(both["response"]["error_estimate_parts"][key], value, delta=1e-6)
+            self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
+            self.expect_same_history(n)
+
     def interrupted(self, n, *keys):
         """Ends the run once it has kept a checkpoint."""
         state = self.folder / "parts.checkpoint/state.h5"
@@ -257,8 +322,7 @@ class Processes(ProgramTest):
         self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
 
     def test_says_once_what_is_not_done(self):
-        for keys, what in ((["regions.mound.law=mohr_coulomb", "regions.mound.strength={friction_angle=45, cohesion=0}"],
-                            "no soil yields"),
+        for keys, what in (([*YIELDING, "regions.mound.densification={relative_density=0.5}"], "no soil packs denser"),
                           (["regions.mound.porosity=2"], "is outside (0, 1)")):
             done = mpirun(2, "run", CASE, *with_keys([*SCENE, *keys]), "--out", "none", cwd=self.folder)
             self.assertEqual(done.returncode, 1, done.stderr)

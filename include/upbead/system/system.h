@@ -95,6 +95,7 @@ struct FrameDashpots {
 struct PartOfSystem {
   int n_whole = 0;          ///< unknowns of the whole system
   int n_phi_elsewhere = 0;  ///< free phi that other processes alone hold
+  std::vector<int> number;  ///< in the whole, of each unknown here
   /// Unknowns for which this process counts: their numbers here and in the whole. One process counts for each.
   std::vector<std::pair<int, int>> counted;
 };
