@@ -23,6 +23,7 @@
 #include "design/waves_report.h"
 #include "findings/histories.h"
 #include "output/result_file.h"
+#include "output/soil_model_file.h"
 #include "reliability/answer.h"
 #include "run/derived.h"
 #include "upbead/base/error.h"
@@ -142,7 +143,9 @@ DesignWithModel with_model(const Design& design, const SolvedScene& solved, cons
 NumberedWarnings model_warnings(const SheetInput& input, const OutputFolder& folder) {
   const auto& dynamics = input.design->tables.dynamics;
   if (!dynamics || !input.scene) return {};
-  const std::string model = read_model_file(input.design->resolve(dynamics->model)).case_text;
+  const auto file = read_any_model_file(input.design->resolve(dynamics->model));
+  const auto* const soils = std::get_if<SoilModelFile>(&file);
+  const std::string& model = (soils ? soils->frame : std::get<ReducedModelFile>(file)).case_text;
   const std::vector<std::string> names = tables_that_differ(model, effective_case(*input.scene, folder.name()));
   if (names.empty()) return {};
   return {{"model_of_other_scene", static_cast<double>(names.size()), 0., "1",

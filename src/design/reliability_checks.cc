@@ -48,6 +48,9 @@ bool may_act_on(const DesignTables& tables, const std::string& key) {
 
 FoundNumber found_at(DesignTables& tables, const std::string& key) {
   FoundNumber found;
+  if (tables.dynamics)
+    for (auto& [of_soil, number] : tables.dynamics->soil)
+      if (is_same_key(of_soil, key)) found.number = &number;
   if (may_act_on(tables, key)) look(tables, design_schema(), "", key, found);
   return found;
 }
@@ -100,12 +103,14 @@ Diagnostics diagnose(const RandomVariable& v, const DesignTables& tables) {
   Diagnostics list = ends_of(v);
   const std::optional<double> certain = certain_value(tables, v.acts_on);
   if (!certain)
-    list.add(at_key("acts_on"),
-             "acts_on = " + in_quotes(v.acts_on) +
-                 " is neither a factor nor a number that the design gives in [section], "
-                 "[fluid], [duration], the wave's table, limits.sliding or limits.base_pressure",
-             "give such a number in the design, or a factor: force, uplift, friction, weight, wave, "
-             "significant_height, period, water_level, sliding");
+    list.add(
+        at_key("acts_on"),
+        "acts_on = " + in_quotes(v.acts_on) +
+            " is neither a factor nor a number that the design gives in [section], "
+            "[fluid], [duration], the wave's table, limits.sliding or limits.base_pressure, nor a key of the soils of "
+            "[dynamics] model",
+        "give such a number in the design, or a factor: force, uplift, friction, weight, wave, "
+        "significant_height, period, water_level, sliding");
   else if (has_moments(v.kind))
     list.add(moments_of(v, v.mean.value_or(*certain)));
   return list;

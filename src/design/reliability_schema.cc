@@ -22,7 +22,8 @@ TableSchema<RandomVariable> variable_schema() {
       .key("acts_on", &V::acts_on, "",
            "key of the design that is random (section.friction, waves.design.height), or a factor: force (of P), "
            "uplift (of U), friction, weight, wave (of H), significant_height (of all heights), period, sliding (of S), "
-           "or water_level, a rise (m)")
+           "or water_level, a rise (m); or a key of the model of soils of [dynamics], such as "
+           "regions.seabed.shear_modulus")
       .required();
   table.choice("distribution", &V::kind, random_words, "distribution, for one occasion");
   const char* const moments = "in normal, lognormal, gumbel and weibull";
@@ -120,6 +121,8 @@ TableSchema<ReliabilityTable> reliability_schema() {
             "occasions in a year for which the variables are given; 1 where the wave is the highest of a year",
             from_to(1e-6, 1e6));
   table.key("target", &R::target, "", "least index beta of the system over the life", from_to(-5., 10.));
+  table.key("dynamics", &R::dynamics, "",
+            "limit states by F_T of the reduced model of [dynamics], too; always where a variable acts on its soil");
   declare_work(table);
   table.tables("variables", &R::variables, variable_schema()).doc("What is random, by name.");
   table.tables("correlations", &R::correlations, correlation_schema())

@@ -69,6 +69,7 @@ struct ReliabilityTable {
   double years = 50.;
   double occasions_per_year = 1.;
   std::optional<double> target;  ///< least beta of the life
+  bool dynamics = false;         ///< limit states by F_T of [dynamics], too; also where a variable acts on its soil
   int seed = 1;
   int samples = 20000;
   int plain_samples = 1000000;
@@ -96,7 +97,7 @@ TableSchema<ReliabilityTable> reliability_schema();
 std::string random_wave(const DesignTables& tables);
 
 /// The number of a key in the tables, where it is given and a variable may act on it: one of section, fluid, duration,
-/// of the wave, and limits.sliding and limits.base_pressure.
+/// of the wave, limits.sliding and limits.base_pressure, and a key of [dynamics] soil.
 double* number_at(DesignTables& tables, const std::string& key);
 
 /// The unit of what a variable acts on; "" for none.

@@ -33,13 +33,14 @@ struct DesignValue {
 struct ModeAnswer {
   std::string name, meaning;
   bool is_system = false;
-  std::string why_not;                ///< it was not asked; "" where it was
-  std::vector<MethodAnswer> methods;  ///< those asked for
-  std::string governing;              ///< the method with the least beta; "": none has an answer
-  Chance occasion, year, life;        ///< by that method
-  std::optional<double> spread;       ///< largest difference of beta between two methods
-  std::string disagreement;           ///< of two methods by more than 0.1 in beta; "" where they agree
-  std::vector<DesignValue> point;     ///< empty where none was found
+  std::string why_not;                 ///< it was not asked; "" where it was
+  std::vector<MethodAnswer> methods;   ///< those asked for
+  std::string governing;               ///< the method with the least beta; "": none has an answer
+  Chance occasion, year, life;         ///< by that method
+  std::optional<double> spread;        ///< largest difference of beta between two methods
+  std::string disagreement;            ///< of two methods by more than 0.1 in beta; "" where they agree
+  std::vector<DesignValue> point;      ///< empty where none was found
+  std::optional<double> ground_error;  ///< estimate for F_T there, over its peak; none where the ground is not asked
 };
 
 /// A demand of a code, beside what was found.
@@ -75,6 +76,8 @@ ModeAnswer judged(ModeAnswer mode, double occasions, double years);
 
 /// Names of the limit states, as a fault tree may name them.
 std::vector<std::string> limit_state_names();
+/// Those by F_T, where asks_for_ground() holds.
+std::vector<std::string> ground_state_names();
 
 /// The sheets of codes. With [life], S of whole lives by Monte Carlo as in `upbead expected`.
 std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer);

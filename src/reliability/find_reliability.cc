@@ -23,6 +23,7 @@ struct Work {
   std::shared_ptr<SectionModel> model;
   StandardSpace space;
   Sampling sampling;
+  std::shared_ptr<Ground> ground;  ///< null where it is not asked
 };
 
 StandardSpace space_of(const RandomVariables& random, const Document& document) {
@@ -41,16 +42,24 @@ RandomVariables random_of(const DesignTables& tables) {
   return random;
 }
 
-Work work_of(const Design& design) {
+std::shared_ptr<Ground> ground_of(const Design& design) {
+  if (!asks_for_ground(design.tables)) return nullptr;
+  const Place place = design.document.place("dynamics.model");
+  return std::make_shared<Ground>(design.tables, design.resolve(design.tables.dynamics->model), place);
+}
+
+/// `ground`: its soil is complete in the design.
+Work work_of(const Design& design, const std::shared_ptr<Ground>& ground) {
   const DesignTables& tables = design.tables;
   const ReliabilityTable& table = *tables.reliability;
   const RandomVariables random = random_of(tables);
   return {tables,
           random.names,
           random.list,
-          std::make_shared<SectionModel>(tables),
+          std::make_shared<SectionModel>(tables, ground),
           space_of(random, design.document),
-          {static_cast<std::uint32_t>(table.seed), table.samples, table.plain_samples}};
+          {static_cast<std::uint32_t>(table.seed), table.samples, table.plain_samples},
+          ground};
 }
 
 bool asked(const Work& work, const std::string& method) {
@@ -65,7 +74,7 @@ std::vector<DesignValue> values_at(const Work& work, const DesignPoint& point) {
     DesignValue value;
     value.variable = work.names[i];
     value.acts_on = work.variables[i].acts_on;
-    value.unit = unit_at(work.tables, value.acts_on);
+    value.unit = is_of_soil(value.acts_on) ? work.ground->unit(value.acts_on) : unit_at(work.tables, value.acts_on);
     value.characteristic = work.model->certain()[i];
     value.value = x[i];
     value.alpha = point.alpha[i];
@@ -74,6 +83,18 @@ std::vector<DesignValue> values_at(const Work& work, const DesignPoint& point) {
     list.push_back(value);
   }
   return list;
+}
+
+/// What is told of a mode's design point.
+void add_point(const Work& work, const DesignPoint& point, bool by_ground, ModeAnswer& mode) {
+  mode.point = values_at(work, point);
+  if (by_ground) mode.ground_error = work.ground->error(work.model->at(work.space.physical(point.u)).wave);
+}
+
+/// A reduced model ends its own reduction by its error, so that its answers jump by far less than that; wider steps of
+/// u keep that out of the differences.
+Steps steps_of(const SectionLimitState& state) {
+  return state.by_ground ? Steps{1e-3, 0.05} : Steps{};
 }
 
 /// Adds what sampling finds, in the order in which methods are told.
@@ -98,11 +119,11 @@ ModeAnswer mode_of(const Work& work, const SectionLimitState& state, const Desig
   if (!state.margin) return mode;
   const Margin margin = margin_of(work, state);
   if (asked(work, "form")) mode.methods.push_back(by_form(found));
-  if (asked(work, "sorm")) mode.methods.push_back(by_sorm(margin, found));
+  if (asked(work, "sorm")) mode.methods.push_back(by_sorm(margin, found, steps_of(state)));
   std::vector<DesignPoint> points;
   if (found.point) points.push_back(*found.point);
   add_samples(work, margin, points, mode);
-  if (found.point) mode.point = values_at(work, *found.point);
+  if (found.point) add_point(work, *found.point, state.by_ground, mode);
   return mode;
 }
 
@@ -112,10 +133,12 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
   mode.name = name;
   mode.is_system = true;
   const CutSets sets = tree.cut_sets();
+  bool by_ground = false;
   for (const auto& set : sets) {
     std::string all;
     for (const std::size_t i : set) {
       all += (all.empty() ? "" : " and ") + states[i].name;
+      by_ground = by_ground || states[i].by_ground;
       if (!states[i].margin && mode.why_not.empty()) mode.why_not = states[i].name + ": " + states[i].why_not;
     }
     mode.meaning += (mode.meaning.empty() ? "" : ", or ") + all;
@@ -130,7 +153,7 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
   const std::vector<DesignPoint> points = design_points(found, sets);
   if (asked(work, "form")) mode.methods.push_back(by_system_form(found, sets));
   add_samples(work, margin, points, mode);
-  if (!points.empty()) mode.point = values_at(work, points.front());
+  if (!points.empty()) add_point(work, points.front(), by_ground, mode);
   return mode;
 }
 
@@ -153,11 +176,25 @@ std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
   return {{"system", any}};
 }
 
-ReliabilityAnswer answer_of(const Design& design) {
-  const Work work = work_of(design);
+/// The design with all keys of the soil.
+Design on_ground(Design design, const std::shared_ptr<Ground>& ground) {
+  if (ground) design.tables.dynamics->soil = ground->soil();
+  return design;
+}
+
+std::vector<SectionLimitState> states_of(const Work& work) {
+  const SectionPoint certain = work.model->at(work.model->certain());
+  std::vector<SectionLimitState> states = section_limit_states(certain, seaward_force(work.tables));
+  if (work.ground) append(states, ground_states(certain, work.ground->knows_base()));
+  return states;
+}
+
+ReliabilityAnswer answer_of(const Design& given) {
+  const std::shared_ptr<Ground> ground = ground_of(given);
+  const Design design = on_ground(given, ground);
+  const Work work = work_of(design, ground);
   const ReliabilityTable& table = *design.tables.reliability;
-  const std::vector<SectionLimitState> states =
-      section_limit_states(work.model->at(work.model->certain()), seaward_force(design.tables));
+  const std::vector<SectionLimitState> states = states_of(work);
   const std::map<std::string, SystemNode> gates = gates_of(table, states);
   ReliabilityAnswer answer;
   answer.wave = random_wave(design.tables);
@@ -173,7 +210,7 @@ ReliabilityAnswer answer_of(const Design& design) {
   std::vector<std::string> names;
   for (const SectionLimitState& state : states) {
     names.push_back(state.name);
-    found.push_back(state.margin ? find_design_point(margin_of(work, state), work.space.size())
+    found.push_back(state.margin ? find_design_point(margin_of(work, state), work.space.size(), steps_of(state))
                                  : DesignPointSearch{{}, state.why_not});
     add(mode_of(work, state, found.back()));
   }
@@ -181,7 +218,7 @@ ReliabilityAnswer answer_of(const Design& design) {
   answer.system = tops_of(gates).front();
   answer.left_out = left_out_of(table, states);
   if (!answer.left_out.empty()) answer.modes.back().meaning += words_of_left_out(answer) + ", which cannot be asked";
-  answer.codes = code_rows(design, answer);
+  answer.codes = code_rows(given, answer);
   return answer;
 }
 

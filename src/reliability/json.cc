@@ -56,6 +56,8 @@ OutputSchema<ModeAnswer> mode_outputs() {
           "any of the occasions of a life; at most, as they are taken as independent while friction and weight last")
       .key("spread", &M::spread, "", "largest difference of the index between two methods")
       .reason("disagreement", &M::disagreement, "methods that differ by more than 0.1 in their index")
+      .key("ground_error", &M::ground_error, "",
+           "estimate of the error of F_T at the design point, over its peak; null where F_T is not asked")
       .named("methods.METHOD", &M::methods, &MethodAnswer::method, method_outputs(), "each method asked for")
       .named("design_point.VARIABLE", &M::point, &DesignValue::variable, value_outputs(),
              "each variable where failure is likeliest; empty where no such point was found");

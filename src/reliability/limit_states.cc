@@ -113,4 +113,8 @@ std::vector<std::string> limit_state_names() {
           "sliding_seaward", "sliding_0_1", "sliding_0_3",      "sliding_1_0"};
 }
 
+std::vector<std::string> ground_state_names() {
+  return {"sliding_dynamic", "sliding_distance_dynamic", "overturning_dynamic", "heel_pressure_dynamic"};
+}
+
 }  // namespace upbead

@@ -48,19 +48,16 @@ class MarginEvaluation : public OT::EvaluationImplementation {
   std::size_t size_;
 };
 
-/// Steps of the differences: u has the size of 1, and g is smooth over that.
-constexpr double gradient_step = 1e-5, hessian_step = 1e-3;
-
 /// A margin that counts its calls, and the event that it falls below 0.
 struct Event {
-  Event(const Margin& margin, std::size_t size) : normal(size) {
+  Event(const Margin& margin, std::size_t size, const Steps& steps = {}) : normal(size) {
     const Margin counted = [margin, count = calls](const std::vector<double>& u) {
       ++*count;
       return margin(u);
     };
     const OT::Evaluation evaluation(MarginEvaluation(counted, size));
-    function = OT::Function(evaluation, OT::CenteredFiniteDifferenceGradient(gradient_step, evaluation),
-                            OT::CenteredFiniteDifferenceHessian(hessian_step, evaluation));
+    function = OT::Function(evaluation, OT::CenteredFiniteDifferenceGradient(steps.gradient, evaluation),
+                            OT::CenteredFiniteDifferenceHessian(steps.hessian, evaluation));
     event = OT::ThresholdEvent(OT::CompositeRandomVector(function, OT::RandomVector(normal)), OT::Less(), 0.);
   }
   std::shared_ptr<double> calls = std::make_shared<double>(0.);
@@ -149,9 +146,9 @@ OT::UnsignedInteger blocks(int samples) {
 
 }  // namespace
 
-DesignPointSearch find_design_point(const Margin& margin, std::size_t size) {
+DesignPointSearch find_design_point(const Margin& margin, std::size_t size, const Steps& steps) {
   quiet();
-  const Event event(margin, size);
+  const Event event(margin, size, steps);
   const double g_origin = event.function(OT::Point(size, 0.))[0];
   for (const OT::OptimizationAlgorithm& algorithm :
        {OT::OptimizationAlgorithm(OT::AbdoRackwitz()), OT::OptimizationAlgorithm(OT::Cobyla())}) {
@@ -173,11 +170,11 @@ MethodAnswer by_form(const DesignPointSearch& found) {
   return answer;
 }
 
-MethodAnswer by_sorm(const Margin& margin, const DesignPointSearch& found) {
+MethodAnswer by_sorm(const Margin& margin, const DesignPointSearch& found, const Steps& steps) {
   if (!found.point) return no_answer("sorm", found.why_not);
   quiet();
   const std::vector<double>& u = found.point->u;
-  const Event event(margin, u.size());
+  const Event event(margin, u.size(), steps);
   try {
     const OT::SORMResult result(point_of(u), event.event, found.point->index < 0.);
     const double p = result.getEventProbabilityBreitung();

@@ -37,6 +37,11 @@ struct DesignPointSearch {
   std::string why_not;
 };
 
+/// Steps of the differences: u has the size of 1, and g is smooth over that.
+struct Steps {
+  double gradient = 1e-5, hessian = 1e-3;
+};
+
 struct Sampling {
   std::uint32_t seed = 1;
   int samples = 20000;          ///< most of importance sampling; of each level of subset sampling
@@ -46,12 +51,12 @@ struct Sampling {
 
 /// Steps of Abdo and Rackwitz (1990) along the gradient, then COBYLA (Powell 1994), which needs none, where these find
 /// nothing. A point counts where g vanishes at it and u* is normal to g = 0 (Hasofer and Lind 1974).
-DesignPointSearch find_design_point(const Margin& margin, std::size_t size);
+DesignPointSearch find_design_point(const Margin& margin, std::size_t size, const Steps& steps = {});
 
 /// Phi(-beta): g as flat at u* (Hasofer and Lind 1974; Rackwitz and Fiessler 1978).
 MethodAnswer by_form(const DesignPointSearch& found);
 /// Breitung (1984): with the curvatures of g = 0 at u*.
-MethodAnswer by_sorm(const Margin& margin, const DesignPointSearch& found);
+MethodAnswer by_sorm(const Margin& margin, const DesignPointSearch& found, const Steps& steps = {});
 /// Samples around the design points, weighted: unbiased, whatever g is between them, and blind to a region of failure
 /// that is far from all of them.
 MethodAnswer by_importance(const Margin& margin, const std::vector<DesignPoint>& points, const Sampling& sampling);

@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "reliability/answer.h"
 #include "reliability/fault_tree.h"
+#include "reliability/ground.h"
 #include "upbead/input/document.h"
 
 namespace upbead {
@@ -45,9 +46,13 @@ Check code_check(const CodeRow& row, const std::string& wave) {
 }  // namespace
 
 void check_random(const DesignTables& tables, const Document& document, Diagnostics& report) {
-  check_reliability(tables, document, report);
+  DesignTables whole = tables;
+  check_ground(whole, document, report);
+  check_reliability(whole, document, report);
+  std::vector<std::string> names = limit_state_names();
+  if (asks_for_ground(tables)) append(names, ground_state_names());
   if (tables.reliability && report.sound("reliability.system"))
-    for (const auto& [at, what, cure] : diagnose(tables.reliability->system, limit_state_names()))
+    for (const auto& [at, what, cure] : diagnose(tables.reliability->system, names))
       report.add(document.place(dotted("reliability.system", at.key)), "[reliability.system." + at.key + "]: " + what,
                  cure);
   if (tables.sea || tables.storms) check_expected(tables, document, report);

@@ -11,7 +11,8 @@ constexpr double least_height = 1e-3;
 
 }  // namespace
 
-SectionModel::SectionModel(const DesignTables& tables) : tables_(tables), wave_(random_wave(tables)) {
+SectionModel::SectionModel(const DesignTables& tables, std::shared_ptr<Ground> ground)
+    : tables_(tables), wave_(random_wave(tables)), ground_(std::move(ground)) {
   for (const RandomFactor& factor : random_factors) factors_.push_back(factor.certain);
   for (const auto& [name, variable] : tables_.reliability->variables) {
     const RandomFactor* factor = find_factor(variable.acts_on);
@@ -46,7 +47,21 @@ SectionPoint SectionModel::at(const std::vector<double>& x) {
   out.height = wave.height;
   out.force_factor = factor("force");
   out.sliding_factor = factor("sliding");
+  if (ground_) ask_ground(x, factor("uplift"), wave, out);
   return out;
+}
+
+/// All limit states and methods ask for the same points, whose answers are kept.
+void SectionModel::ask_ground(const std::vector<double>& x, double uplift, const DesignWave& wave, SectionPoint& out) {
+  constexpr std::size_t most_answers = 1000000;
+  out.wave = {out.section, wave, {out.force_factor, uplift}, tables_.dynamics->soil, out.limits.sliding};
+  if (out.wave.sliding) *out.wave.sliding /= std::max(out.sliding_factor, 1e-12);
+  out.ground = [this, x, asked = out.wave]() -> const GroundPoint& {
+    const auto found = answered_.find(x);
+    if (found != answered_.end()) return found->second;
+    if (answered_.size() >= most_answers) answered_.clear();
+    return answered_[x] = ground_->at(asked);
+  };
 }
 
 }  // namespace upbead

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "design/design_tables.h"
+#include "reliability/ground.h"
 #include "reliability/seaward.h"
 #include "upbead/expected/sliding_law.h"
 
@@ -18,16 +21,18 @@ struct SectionPoint {
   StillWater still;       ///< by the harbour's level
   SlidingLoad load;
   Limits limits;
-  double height = 0.;          ///< H (m)
-  double force_factor = 1.;    ///< of P
-  double sliding_factor = 1.;  ///< of S
+  double height = 0.;                            ///< H (m)
+  double force_factor = 1.;                      ///< of P
+  double sliding_factor = 1.;                    ///< of S
+  GroundWave wave;                               ///< what the ground is asked; set where there is a ground
+  std::function<const GroundPoint&()> ground{};  ///< its answer, found when it is asked for; none without a ground
 };
 
 /// The section at values x of the variables of [reliability.variables], in the order of their names.
 class SectionModel {
  public:
   /// `tables`: of a design that check_reliability() has accepted.
-  explicit SectionModel(const DesignTables& tables);
+  explicit SectionModel(const DesignTables& tables, std::shared_ptr<Ground> ground = nullptr);
   SectionModel(const SectionModel&) = delete;
   SectionModel& operator=(const SectionModel&) = delete;
   /// Throws std::invalid_argument where Goda's formulas do not accept x: a depth that is not above 0.
@@ -36,26 +41,35 @@ class SectionModel {
   const std::vector<double>& certain() const { return certain_; }
 
  private:
+  void ask_ground(const std::vector<double>& x, double uplift, const DesignWave& wave, SectionPoint& out);
+
   DesignTables tables_;
   std::string wave_;
   std::vector<double> factors_;   ///< in the order of random_factors
   std::vector<double*> targets_;  ///< the number of each variable, in tables_ or factors_
   std::vector<double> certain_;
+  std::shared_ptr<Ground> ground_;
+  std::map<std::vector<double>, GroundPoint> answered_;
 };
 
 /// A way to fail, with its margin: below 0 it fails. All margins are without unit, smooth where S or p_e is not.
 struct SectionLimitState {
   std::string name, meaning;
   std::function<double(const SectionPoint&)> margin;
-  std::string why_not;    ///< it cannot be asked; "" where it can
-  bool of_codes = false;  ///< a distance that codes ask for, no failure of the section
+  std::string why_not;     ///< it cannot be asked; "" where it can
+  bool of_codes = false;   ///< a distance that codes ask for, no failure of the section
+  bool by_ground = false;  ///< the margin follows from a reduced model, whose error is no smooth function
 };
 
 /// S > limit (m), as a margin that does not end where S = 0. See limit_states.cc.
 double sliding_margin(const SectionPoint& at, double limit);
 
 /// Sliding and overturning, S and p_e beyond [limits]; then S beyond 0.1, 0.3 and 1.0 m of codes. `at`: the section
-/// where all is certain.
+/// where all is certain. With its ground, the same by F_T: see ground_states.cc.
 std::vector<SectionLimitState> section_limit_states(const SectionPoint& at, const SeawardForce& seaward);
+
+/// Sliding, S beyond limits.sliding, overturning and heel pressure by F_T and the forces on the base under the wave's
+/// P(t).
+std::vector<SectionLimitState> ground_states(const SectionPoint& at, bool knows_base);
 
 }  // namespace upbead

@@ -37,6 +37,8 @@ class SoilAnswers {
   /// The same, where other readings meet the tolerance of F_T, too, in the member's own reduction. Throws
   /// std::out_of_range where the model lacks one.
   AnsweredSoil member(const Soil& whole, const std::vector<std::string>& readings) const;
+  /// The unit of a key of the box.
+  std::string unit(const std::string& key) const { return text_.unit(key); }
   /// Labels of the readings of any soil.
   std::vector<ReadingLabel> readings() const;
   /// "regions.seabed.shear_modulus from 1e6 to 1e8, ...".

@@ -83,6 +83,15 @@ std::optional<double> SoilText::number(const std::string& key) const {
   return std::nullopt;
 }
 
+std::string SoilText::unit(const std::string& key) const {
+  std::string unit;
+  SoilTables tables = read_tables(document_);
+  soil_schema().visit_numbers(tables, "", [&](const KeyInfo& info, const std::string& at, double&) {
+    if (is_same_key(at, key)) unit = info.unit;
+  });
+  return unit;
+}
+
 std::map<std::string, Coefficients> SoilText::coefficients(const Soil& soil) const {
   if (soil.empty()) return nominal_;
   std::vector<std::string> overrides;

@@ -25,6 +25,8 @@ class SoilText {
   SoilText(std::string text, std::string path);
   /// The number at a dotted key; none where there is none.
   std::optional<double> number(const std::string& key) const;
+  /// The unit of that number; "" where it has none.
+  std::string unit(const std::string& key) const;
   bool has_region(const std::string& name) const { return nominal_.count(name) > 0; }
   /// By region, with those keys set. Throws InputError where a value is beyond its key's range.
   std::map<std::string, Coefficients> coefficients(const Soil& soil) const;

@@ -31,7 +31,7 @@ ALLOWED = {
     "respond": RUN + ["input", "run", "findings", "case", "soils"],
     "design": RUN + ["input", "run", "findings", "case", "soils"],
     "study": RUN + ["input", "run", "findings", "case", "soils"],
-    "reliability": RUN + ["input", "run", "findings", "case", "design"],
+    "reliability": RUN + ["input", "run", "findings", "case", "soils", "design"],
     "cli": RUN + ["input", "run", "findings", "case", "soils", "respond", "design", "study", "reliability"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')

@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """Claims: reliability prints and writes each way to fail, the fault tree, and the demands of codes; the same file has the same numbers
-again; one file may be a case and a design; mistakes of its tables are told at once, with place and cure, and nothing is written.
+again; one file may be a case and a design; mistakes of its tables are told at once, with place and cure, and nothing is written. Limit states by F_T of
+a model of soils: sliding as often as an integral over the soil says, S of the design point as `respond` has it.
 
-usage: reliability_test.py PROGRAM CASES_FOLDER
+usage: reliability_test.py PROGRAM CASES_FOLDER; UPBEAD_SAMPLE_SOILS in the environment names the program that writes a model
 """
 
 import json
+import math
+import os
+import statistics
 import subprocess
 
 from program import CASES, PROGRAM, ProgramTest, main, upbead
@@ -139,6 +143,158 @@ cov = 0.17
         for name, loads in (("upbead", False), ("upbead-solver", False), ("upbead-reliability", True)):
             libraries = subprocess.run(["ldd", PROGRAM.with_name(name)], capture_output=True, text=True, check=True).stdout
             self.assertEqual("libOT" in libraries, loads, name)
+
+
+G = "regions.sand.shear_modulus"
+ON_SAND = """
+[section]
+water_depth = 12.0
+foundation_depth = 7.0
+berm_depth = 7.0
+crest = 10.0
+width = 20.0
+berm_width = 8.0
+bed_slope = 0.02
+weight = 5.933e6
+submerged_weight = 3.7e6
+friction = 0.6
+[waves.design]
+height = 8.0
+period = 12.0
+[limits]
+sliding = 0.05
+[dynamics]
+model = "soils.h5"
+[reliability]
+methods = ["form", "importance"]
+dynamics = true
+samples = 5000
+[reliability.variables.friction]
+acts_on = "section.friction"
+distribution = "lognormal"
+cov = 0.16
+[reliability.variables.goda]
+acts_on = "force"
+distribution = "lognormal"
+cov = 0.1
+"""
+RANDOM_G = f"""
+[reliability.variables.G]
+acts_on = "{G}"
+distribution = "lognormal"
+cov = 0.5
+low = 1e7
+high = 1e8
+"""
+
+
+def impact(wave, force=1.0, n=4001):
+    """(time, P(t)) of a wave of `upbead waves`, as docs/expected.md has it: half a sine of P_1 whose impulse stays, or a triangle."""
+    standing = wave["force"] * wave["alpha_1"] / (wave["alpha_1"] + wave["alpha_star"])
+    peak, T = max(wave["force"], standing), wave["period"]
+    rise = 0.769 * math.sqrt(7.0 / 9.81) * 1030 * 9.81 * wave["height"] ** 2 / peak
+    duration = min(rise * (2 + 8 * math.exp(-18 * rise / T)), T / 2)
+    rise = min(rise, duration / 2)
+    time = sorted({T / 2 * i / (n - 1) for i in range(n)} | {rise, duration})
+
+    def course(gamma):
+        def at(t):
+            triangle = peak * min(t / rise, max((duration - t) / (duration - rise), 0))
+            return max(gamma * standing * math.sin(2 * math.pi * t / T), triangle, 0)
+        return [at(t) for t in time]
+
+    def impulse(values):
+        return sum(0.5 * (b - a) * (x + y) for a, b, x, y in zip(time, time[1:], values, values[1:]))
+
+    low, high = 0.0, 1.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if impulse(course(middle)) < standing * T / math.pi else (low, middle)
+    return time, [force * P for P in course(low)]
+
+
+class OnRandomSoil(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([os.environ["UPBEAD_SAMPLE_SOILS"], self.folder / "soils.h5"], check=True)
+
+    def modes(self, text, *options):
+        (self.folder / "case.toml").write_text(text)
+        done = upbead("reliability", "case.toml", *options, "--json", "--out", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)["modes"]
+
+    def wave(self, force=1.0):
+        """Writes wave.csv and returns the wave of Goda's formulas."""
+        done = upbead("waves", "case.toml", "--json", "--out", "waves", cwd=self.folder)
+        wave = json.loads(done.stdout)["waves"]["design"]
+        (self.folder / "wave.csv").write_text("time,impact\n" + "".join(f"{t!r},{P!r}\n" for t, P in zip(*impact(wave, force))))
+        return wave
+
+    def test_sliding_is_as_probable_as_an_integral_over_the_soil_says(self):
+        """Of ln F_T(G) + ln(factor of P) - ln mu, normal for each G: P(failure) is the mean over G of Phi."""
+        sliding = self.modes(ON_SAND + RANDOM_G)["sliding_dynamic"]
+        wave = self.wave()
+        # G of the case is 3e7; of its distribution between its ends 200 values of equal probability
+        of_G = statistics.NormalDist(math.log(3e7) - 0.5 * math.log(1 + 0.5**2), math.sqrt(math.log(1 + 0.5**2)))
+        low, high = of_G.cdf(math.log(1e7)), of_G.cdf(math.log(1e8))
+        soils = [math.exp(of_G.inv_cdf(low + (high - low) * (i + 0.5) / 200)) for i in range(200)]
+        done = upbead("respond", "soils.h5", "wave.csv", "--soil", "-", cwd=self.folder, input="".join(f"{G}={value}\n" for value in soils))
+        peaks = [json.loads(line)["waves"][0]["peak_shear"] for line in done.stdout.splitlines()]
+        self.assertGreater(max(peaks), 1.2 * min(peaks), "the soil matters")
+        of_friction, of_force = math.log(1 + 0.16**2), math.log(1 + 0.1**2)
+        median = math.log(0.6) - 0.5 * of_friction + 0.5 * of_force
+        normal = statistics.NormalDist(0, math.sqrt(of_friction + of_force))
+        exact = statistics.mean(normal.cdf(math.log(peak / (3.7e6 - wave["uplift"])) - median) for peak in peaks)
+        sampled = sliding["methods"]["importance"]
+        self.assertAlmostEqual(sampled["probability"], exact, delta=3 * sampled["variation"] * exact)
+        self.assertLess(sampled["variation"], 0.03)
+        self.assertAlmostEqual(sliding["methods"]["form"]["index"], -statistics.NormalDist().inv_cdf(exact), delta=0.1)
+        self.assertEqual(sliding["design_point"]["G"]["unit"], "Pa")
+        self.assertGreater(sliding["design_point"]["G"]["importance"], 0.01)
+
+    def test_s_of_the_design_point_is_the_limit(self):
+        point = self.modes(ON_SAND + RANDOM_G, "--set", 'reliability.methods=["form"]')["sliding_distance_dynamic"]["design_point"]
+        wave = self.wave(point["goda"]["value"])
+        done = upbead("respond", "soils.h5", "wave.csv", "--soil", f"{G}={point['G']['value']}", "--friction", point["friction"]["value"],
+                      "--buoyant-weight", 3.7e6 - wave["uplift"], "--json", cwd=self.folder)
+        self.assertAlmostEqual(json.loads(done.stdout)["waves"][0]["sliding"], 0.05, delta=2e-4)
+
+    def test_a_soil_without_spread_is_a_certain_soil(self):
+        form = ["--set", 'reliability.methods=["form"]']
+        certain = self.modes(ON_SAND.replace('"soils.h5"', f'"soils.h5"\nsoil = {{ "{G}" = 4e7 }}'), *form)
+        narrow = RANDOM_G.replace('lognormal"\ncov = 0.5', 'uniform"').replace("1e7", "3.9999999e7").replace("1e8", "4.0000001e7")
+        known = self.modes(ON_SAND + narrow, *form)
+        formulas = self.modes(ON_SAND.replace("dynamics = true\n", ""), *form)
+        for name in ("sliding_dynamic", "sliding_distance_dynamic"):
+            self.assertAlmostEqual(known[name]["methods"]["form"]["index"], certain[name]["methods"]["form"]["index"], delta=1e-6)
+            self.assertNotIn(name, formulas)
+        for name in ("sliding", "overturning", "sliding_distance"):
+            self.assertEqual(formulas[name], certain[name], "the ground changes no other limit state")
+            index = formulas[name]["methods"]["form"]["index"]
+            if index is not None:
+                self.assertAlmostEqual(known[name]["methods"]["form"]["index"], index, delta=1e-6)
+
+    def test_the_sheet_has_their_rows(self):
+        (self.folder / "case.toml").write_text((ON_SAND + RANDOM_G).replace('["form", "importance"]', '["form"]'))
+        done = upbead("sheet", "case.toml", "--json", "--out", "sheet", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sheet = json.loads(done.stdout)
+        [row] = [row for row in sheet["checks"] if row["name"].endswith("life, sliding_dynamic")]
+        self.assertEqual(row["demand"], sheet["reliability"]["modes"]["sliding_dynamic"]["life"]["index"])
+
+    def test_mistakes_of_soils_are_told(self):
+        for text, options, told in (
+                (ON_SAND + RANDOM_G.replace("1e8", "2e8"), [], "beyond the box of the model has no answer"),
+                (ON_SAND + RANDOM_G.replace("shear_modulus", "porosity"), [], "nor a key of the soils of [dynamics] model"),
+                (ON_SAND.replace('[dynamics]\nmodel = "soils.h5"\n', ""), [], "there is no ground whose soil could be random"),
+                (ON_SAND.replace("5.933e6", "5e6"), [], "the caisson of the model weighs"),
+                (ON_SAND.replace("dynamics = true", "") + '[reliability.system.slides]\nany = ["sliding_dynamic"]\n', [], "sliding_dynamic")):
+            (self.folder / "bad.toml").write_text(text)
+            done = upbead("reliability", "bad.toml", *options, "--out", "bad", cwd=self.folder)
+            self.assertEqual(done.returncode, 1, told)
+            self.assertIn(told, done.stderr)
+            self.assertFalse((self.folder / "bad").exists())
 
 
 if __name__ == "__main__":
