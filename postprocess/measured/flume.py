@@ -8,7 +8,7 @@ import numpy as np
 from .lumped_slip import Caisson, slip
 from .runs import CASES, design, interval, run, side_by_side
 
-CASE, ON_SPRINGS = CASES / "flume/flume.toml", CASES / "flume/springs.toml"
+CASE, ON_SPRINGS, AS_MASS = (CASES / f"flume/{name}.toml" for name in ("flume", "springs", "mass"))
 SPREADS = {
     "factor": (0.75, 1.15, "linear"),  # of P and U
     "friction": (0.47, 0.53, "linear"),
@@ -91,6 +91,8 @@ def on_springs(program, folder):
     for course in ("triangle", "church roof"):
         summary = run(program, ON_SPRINGS, {"loads.waves.wave.course": course.replace(" ", "_")}, folder / f"springs, {course}")
         found[f"as a case, springs given, {course}"] = summary["sliding"]["sliding_coupled"]
+    summary = run(program, AS_MASS, {}, folder / "springs, mass")
+    found["as a case, springs given, triangle, the water as a mass"] = summary["sliding"]["sliding_coupled"]
     return found
 
 

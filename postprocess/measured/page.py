@@ -98,6 +98,7 @@ def fill(text, said, now):
         "inertia": f"{max(row['inertia'] for row in now['column'].values()):.1e}",
         "error": f"{100 * max(row['error'] for row in now['column'].values()):.2g}",
         "flume": "\n".join(of_flume(said, now)),
+        "as a mass": f"{1e3 * now['flume']['as a case, springs given, triangle, the water as a mass']:.1f}",
         "on springs": f"{1e3 * now['flume']['as a case, springs given, triangle']:.1f}",
         "no turning": f"{1e3 * now['flume']['lumped, springs given, triangle, U on friction alone']:.1f}",
         "by script": f"{1e3 * now['flume']['lumped, springs given, triangle']:.1f}",

@@ -126,6 +126,14 @@ TableSchema<BaseSupport> dashpots_schema() {
   return table;
 }
 
+TableSchema<WallWater> added_mass_schema() {
+  TableSchema<WallWater> table;
+  table.key("seaward", &WallWater::seaward, "m", "height of the sea above the caisson's base", at_least(0.));
+  table.key("landward", &WallWater::landward, "m", "height of the harbour's water above the caisson's base",
+            at_least(0.));
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(const Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -188,6 +196,10 @@ void declare_mass(TableSchema<Region>& table) {
               "none (geometry = \"caisson\"): for published lumped models."));
   limit(table.table("dashpots", &Region::dashpots, dashpots_schema())
             .doc("Dashpots beside these springs; without this table there are none."));
+  limit(
+      table.table("added_mass", &Region::added_mass, added_mass_schema())
+          .doc("Of the region caisson: water beside its walls that the mesh has not, as a mass that swings with them, "
+               "7/8 fluid.density sqrt(height depth) per area (Westergaard 1933); without this table there is none."));
 }
 
 void declare_pores(TableSchema<Region>& table) {

@@ -12,6 +12,7 @@
 
 #include "algebra/pattern_sums.h"
 #include "fem/caisson/springs.h"
+#include "fem/caisson/wall_water.h"
 #include "fem/kernels.h"
 #include "fem/sides.h"
 
@@ -212,6 +213,9 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   std::optional<BaseSprings> springs;
   if (forces && is_on_springs(space))
     springs.emplace(scene.regions.at(caisson_name), space, unknowns, bodies, *find_caisson(space));
+  std::optional<BesideWalls> walls;
+  if (forces && scene.time.inertia && scene.regions.at(caisson_name).added_mass)
+    walls.emplace(scene.regions.at(caisson_name), scene.fluid.density, unknowns, bodies, *find_caisson(space));
   const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
   for (const auto& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && is_own(cell->active_cell_index())) assembly.expect(dofs_of(cell));
@@ -219,6 +223,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
                 {expect, expect, [](const WetFace&, const FaceTerms&) {}, share.materials_alone});
   if (adds_bodies) assembly.expect(bodies);
   if (springs) assembly.expect(springs->terms());
+  if (walls && share.bodies) assembly.expect(walls->terms());
 
   assembly.begin();
   assemble_cells(scene, space, forces, is_own, share.materials_alone, assembly);
@@ -234,6 +239,8 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
     assembly.add(springs->terms());
     springs->add_to(forces->ground);
   }
+  if (walls && share.bodies) assembly.add(walls->terms());
+  if (walls) walls->add_to(*forces);
   assembly.write(system);
 }
 

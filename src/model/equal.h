@@ -80,13 +80,21 @@ inline bool operator==(const BaseSupport& a, const BaseSupport& b) {
   return members(a) == members(b);
 }
 
+inline auto members(const WallWater& of) {
+  const auto& [seaward, landward] = of;
+  return std::tie(seaward, landward);
+}
+inline bool operator==(const WallWater& a, const WallWater& b) {
+  return members(a) == members(b);
+}
+
 inline auto members(const Region& of) {
   const auto& [kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k, kappa,
                ratio, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification, cyclic,
-               interface, springs, dashpots, deformation, compressibility] = of;
+               interface, springs, dashpots, wall_water, deformation, compressibility] = of;
   return std::tie(kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, n, grain_density, k,
                   kappa, ratio, saturation, pore_fluid, flow, tortuosity, biot, K_s, damping, strength, densification,
-                  cyclic, interface, springs, dashpots, deformation, compressibility);
+                  cyclic, interface, springs, dashpots, wall_water, deformation, compressibility);
 }
 inline bool operator==(const Region& a, const Region& b) {
   return members(a) == members(b);

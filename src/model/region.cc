@@ -52,6 +52,7 @@ const Rules& member_rules() {
       {"interface", {K::rigid, K::solid}, false, is_set(&R::interface)},
       {"springs", {K::rigid}, false, is_set(&R::springs)},
       {"dashpots", {K::rigid}, false, is_set(&R::dashpots)},
+      {"added_mass", {K::rigid}, false, is_set(&R::added_mass)},
       {"deformation", {K::solid}, false, changed(&R::deformation)},
       {"compressibility", {K::water}, false, changed(&R::compressibility)},
   };

@@ -172,6 +172,95 @@ class Springs(ProgramTest):
         first = max(summary["periods"], key=lambda p: p["share"])
         self.assertAlmostEqual(first["period"] * np.sqrt(1 - first["damping_ratio"] ** 2) / undamped, 1, delta=2e-3)
 
+    def stiff_but_in_sway(self):
+        return ["regions.caisson.springs.vertical=1e15", "regions.caisson.springs.rotation=1e17", 'time.scheme="reduced"']
+
+    def undamped_first(self, summary):
+        first = max(summary["periods"], key=lambda p: p["share"])
+        return first["period"] * np.sqrt(1 - first["damping_ratio"] ** 2)
+
+    def test_added_mass_in_sway_is_westergaards(self):
+        """7/12 rho h^2 on each side, and within the 4 % of the period by which it differs from 0.5428 rho h^2 of water that is meshed."""
+        depth, density = 8.0, 1030.0
+        walls = [f"regions.caisson.added_mass={{seaward={depth}, landward={depth}}}"]
+        found = self.undamped_first(self.told("run", *walls, *self.stiff_but_in_sway()))
+        self.assertAlmostEqual(found / (2 * np.pi * np.sqrt((MASS + 2 * 7 / 12 * density * depth**2) / SPRINGS[0])), 1, delta=1e-6)
+
+        def period(factor):
+            return np.sqrt(MASS + 2 * factor * density * depth**2)
+
+        wet = CASE + "\n[fluid]\nbulk_modulus = inf\n[regions.sea_front]\nkind = 'water'\n[regions.sea_back]\nkind = 'water'\n[boundaries.bed]\npressure = 'sealed'\n"
+        wet += "[boundaries.sea_surface]\npressure = 'open'\n[boundaries.sea_left]\npressure = 'sealed'\n[boundaries.sea_right]\npressure = 'sealed'\n"
+        (self.folder / "wet.toml").write_text(wet)
+        meshed = self.undamped_first(self.told("run", f"mesh.parameters.water_depth={depth}", "mesh.parameters.sea_front=4", "mesh.parameters.sea_back=4",
+                                               *self.stiff_but_in_sway(), case="wet.toml"))  # fmt: skip
+        self.assertAlmostEqual(found / meshed, period(7 / 12) / period(0.542755), delta=2e-3)
+        self.assertAlmostEqual(found / meshed, 1, delta=0.04)
+
+    def test_added_mass_is_that_of_a_heavier_caisson(self):
+        """The mass, its first and second moment about the base, 7/12 rho h^2, 7/30 rho h^3, 2/15 rho h^4, in the caisson itself: the same motion of the base,
+        the same forces on it and the same slip under a horizontal load, as nothing then moves vertically."""
+        seaward, landward, density, centre = 8.0, 6.5, 1030.0, 5.0
+        mass, first, second = (sum(c * density * h**power for h in (seaward, landward)) for c, power in ((7 / 12, 2), (7 / 30, 3), (2 / 15, 4)))
+        whole, moment = MASS + mass, MASS * centre + first
+        inertia = INERTIA + MASS * centre**2 + second - moment**2 / whole
+        level = ["loads.push.direction=[1.0, 0.0]", "loads.push.factor=1.6", "time.step=5e-4"]
+        slides = ["sliding.friction=0.6", f"sliding.submerged_weight={0.6 * 9.81 * MASS}"]
+        light = [f"regions.caisson.centre_of_gravity=[0.0, {centre}]", f"regions.caisson.added_mass={{seaward={seaward}, landward={landward}}}"]
+        heavy = [f"regions.caisson.{key}={value!r}" for key, value in (("mass", whole), ("moment_of_inertia", inertia), ("centre_of_gravity", [0.0, moment / whole]))]
+        for way, tolerance in (("reduced", 1e-8), ("sdirk4", 1e-8)):
+            with self.subTest(way):
+                keys = [*level, f'time.scheme="{way}"', "output.periods=true"]
+                wanted, exact = self.told("run", *keys, *heavy), self.histories()
+                told, found = self.told("run", *keys, *light), self.histories()
+                steps = np.arange(0, END, 5e-4)  # between these each has times of its own, those of extremes
+                here, there = (np.searchsorted(of["time"], steps - 1e-9) for of in (found, exact))
+                self.assertLess(np.abs(found["time"][here] - exact["time"][there]).max(), 1e-9)
+                for name in ("shear_force", "base_moment", "shear_force_by_inertia"):
+                    self.assert_near(found[name][here], exact[name][there], name, tolerance if name != "shear_force_by_inertia" or way == "reduced" else 1e-3)
+                self.assertEqual(len(told["periods"]), len(wanted["periods"]))
+                for one, other in zip(told["periods"], wanted["periods"], strict=True):
+                    self.assertAlmostEqual(one["period"] / other["period"], 1, delta=1e-8)
+        one, other = (self.told("run", *level, *slides, *which)["sliding"]["sliding_coupled"] for which in (light, heavy))
+        self.assertGreater(other, 1e-3)
+        self.assertAlmostEqual(one / other, 1, delta=1e-6)
+
+    def test_on_ground_it_stands_for_the_sea(self):
+        """Fig. 2b, 9 m of water beside the caisson: the first period and F_T/P within 2 % of those with meshed seas, from 4 and 9 % without them."""
+        case = CASES / "fig2b-prototype.toml"
+        dry = ["mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0"]
+        water = "regions.caisson.added_mass={seaward=9, landward=9}"
+        meshed, none, mass = (self.told("run", "mesh.parameters.cells=0.5", 'time.scheme="reduced"', *keys, case=case) for keys in ([], dry, [*dry, water]))
+
+        def of(summary):
+            return np.array([summary["periods"][0]["period"], summary["response"]["shear_to_force_ratio"]])
+
+        self.assertLess(np.abs(of(mass) / of(meshed) - 1).max(), 0.02)
+        self.assertGreater(np.abs(of(none) / of(meshed) - 1).min(), 0.04)
+
+    def test_the_force_of_added_water_is_told(self):
+        """P + P_water - m x'' = F_T with the caisson's own m: P_water is what the water's mass takes, of its front its part."""
+        walls = ["regions.caisson.added_mass.seaward=8.0", "regions.caisson.added_mass.landward=8.0", "regions.caisson.centre_of_gravity=[0.0, 5.0]", "loads.push.direction=[1.0, 0.0]"]
+        self.told("run", *walls, 'time.scheme="reduced"')
+        with h5py.File(self.folder / "out/results.h5") as file:
+            history = {name: file["history"][name][:] for name in ("force", "shear_force", "water_force", "water_force_front", "inertia_force")}
+        largest = np.abs(history["force"]).max()
+        self.assert_near(history["inertia_force"], history["force"] + history["water_force"] - history["shear_force"], "balance", 1e-9)
+        self.assert_near(2 * history["water_force_front"], history["water_force"], "front", 1e-9)
+        self.assertGreater(np.abs(history["water_force"]).max(), 0.05 * largest)
+
+    def test_added_mass_that_cannot_be_is_refused(self):
+        for key, told in {
+            "regions.caisson.added_mass.seaward=13": "higher than the caisson's walls, 12 m",
+            "regions.caisson.added_mass.seaward=-1": "outside",
+        }.items():
+            self.assertIn(told, self.refused(key))
+        wet = CASE.replace("[boundaries]", "[regions.sea_front]\nkind = 'water'\n[boundaries]")
+        wet += "[boundaries.bed]\npressure = 'sealed'\n[boundaries.sea_surface]\npressure = 'open'\n[boundaries.sea_left]\npressure = 'sealed'\n"
+        (self.folder / "wet.toml").write_text(wet)
+        keys = ["mesh.parameters.water_depth=8", "mesh.parameters.sea_front=4", "regions.caisson.added_mass.landward=5"]
+        self.assertIn("its mass would count twice", self.refused(*keys, case="wet.toml"))
+
     def test_slip_as_a_whole_is_friction_in_series(self):
         from measured.lumped_slip import Caisson, slip
 

@@ -91,6 +91,11 @@ struct BaseSupport {
   double horizontal = 0., vertical = 0., rotation = 0.;
 };
 
+/// Heights above the caisson's base (m) of water beside its walls that is not meshed, and swings with them as a mass.
+struct WallWater {
+  double seaward = 0., landward = 0.;
+};
+
 /// Pore water and sea water.
 struct Fluid {
   double density = 1030.;                 ///< rho_f (kg/m3)
@@ -184,6 +189,7 @@ struct Region {
   std::optional<CyclicSoil> cyclic;                              ///< porous
   std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
   std::optional<BaseSupport> springs, dashpots;                  ///< rigid: of the caisson, in place of ground
+  std::optional<WallWater> added_mass;                           ///< rigid: of the caisson, in place of seas
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water
 };

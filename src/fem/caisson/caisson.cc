@@ -169,6 +169,10 @@ void NodalReaction::add(int sum, double stiffness, double damping, const Row& mo
   }
 }
 
+void NodalReaction::add_mass(int sum, const Row& mass) {
+  for (const auto& [unknown, weight] : mass) M_[static_cast<std::size_t>(sum)][unknown] += weight;
+}
+
 void NodalReaction::add(const CellMatrices& cell, const Dofs& dofs) {
   for (unsigned i = 0; i < dofs.size(); ++i)
     for (const auto& [sum, part] : sums_.of_dof[dofs[i]]) {

@@ -57,6 +57,8 @@ class NodalReaction {
   void add(const CellMatrices& cell, const Dofs& dofs);
   /// Adds a spring and a dashpot to one of the sums: its force is stiffness times the motion, damping times its rate.
   void add(int sum, double stiffness, double damping, const Row& motion);
+  /// Adds a mass that moves with the caisson, as a row over the accelerations.
+  void add_mass(int sum, const Row& mass);
   /// Whether some of these degrees of freedom count in a sum, so that there is something to add.
   bool has_any(const Dofs& dofs) const;
   /// The value of one of the sums for given nodal forces.

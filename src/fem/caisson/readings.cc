@@ -35,16 +35,28 @@ Reading named(Reading r, ReadingName name, std::string unit, std::string descrip
   return r;
 }
 
-/// Landward force of the modelled water on the caisson. `water`: force of the surroundings on the water.
-Row water_row(const NodalReaction& water) {
-  return scaled(water.velocity(motion_x), -1.);
-}
-
 Row sum(const Row& a, const Row& b) {
   std::map<int, double> entries;
   for (const Row* row : {&a, &b})
     for (const auto& [i, weight] : *row) entries[i] += weight;
   return to_row(entries);
+}
+
+/// Landward force of the modelled water on the caisson: of the mesh's by its velocity potential, of a mass beside the
+/// walls by their acceleration.
+Reading water_force(const NodalReaction& water) {
+  Reading force;
+  force.velocity = scaled(water.velocity(motion_x), -1.);
+  force.acceleration = scaled(water.acceleration(motion_x), -1.);
+  return force;
+}
+
+Reading water_force(const CaissonForces& forces) {
+  Reading force = water_force(forces.water_front);
+  const Reading back = water_force(forces.water_back);
+  force.velocity = sum(force.velocity, back.velocity);
+  force.acceleration = sum(force.acceleration, back.acceleration);
+  return force;
 }
 
 void add_loads(std::vector<Reading>& list, const CaissonForces& forces, const SceneLoads& loads) {
@@ -62,11 +74,10 @@ void add_loads(std::vector<Reading>& list, const CaissonForces& forces, const Sc
                   {},
                   {},
                   feedthrough(loads, &LoadOnCaisson::force_y, 1.)});
-  const Row front = water_row(forces.water_front), back = water_row(forces.water_back);
-  list.push_back(velocity_reading(reading::water_force, "N/m",
-                                  "P_water, force of the modelled water on the caisson, landward", sum(front, back)));
-  list.push_back(
-      velocity_reading(reading::water_force_front, "N/m", "P_water on the faces that look seaward, landward", front));
+  list.push_back(named(water_force(forces), reading::water_force, "N/m",
+                       "P_water, force of the modelled water on the caisson, landward"));
+  list.push_back(named(water_force(forces.water_front), reading::water_force_front, "N/m",
+                       "P_water on the faces that look seaward, landward"));
 }
 
 void add_base_forces(std::vector<Reading>& list, const NodalReaction& ground, const SceneLoads& loads) {
@@ -82,9 +93,10 @@ void add_base_forces(std::vector<Reading>& list, const NodalReaction& ground, co
 void add_inertia(std::vector<Reading>& list, const CaissonForces& forces, const SceneLoads& loads,
                  const Row& momentum_x, bool inertia) {
   const auto P = feedthrough(loads, &LoadOnCaisson::force_x, 1.);
-  const Row water = sum(water_row(forces.water_front), water_row(forces.water_back));
+  const Reading water = water_force(forces);
   Reading inertia_force = ground_force(forces.ground, loads, motion_x, -1.);
-  inertia_force.velocity = sum(inertia_force.velocity, water);
+  inertia_force.velocity = sum(inertia_force.velocity, water.velocity);
+  inertia_force.acceleration = sum(inertia_force.acceleration, water.acceleration);
   for (std::size_t k = 0; k < P.size(); ++k) inertia_force.feedthrough[k] += P[k];
   list.push_back(named(inertia_force, reading::inertia_force, "N/m",
                        "m x_G'', inertia force of the caisson, as P + P_water - F_T from the balance of forces"));
@@ -92,8 +104,8 @@ void add_inertia(std::vector<Reading>& list, const CaissonForces& forces, const 
                   "N/m",
                   "F_T as P + P_water - m x_G'', from the acceleration of the scheme",
                   {},
-                  water,
-                  inertia ? scaled(momentum_x, -1.) : Row{},
+                  water.velocity,
+                  inertia ? sum(scaled(momentum_x, -1.), water.acceleration) : Row{},
                   P});
 }
 
