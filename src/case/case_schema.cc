@@ -164,6 +164,9 @@ TableSchema<CaseTables> output_schema() {
   table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
   table.key("base", &CaseTables::base_stress, "",
             "true: stress and pore pressure along the caisson's bottom over time, in /base of results.h5");
+  table.key(
+      "periods", &CaseTables::periods, "",
+      "whether natural periods of the linear ground are sought where the case is marched, too; costs a reduced model");
   table
       .key("times", &CaseTables::output_times, "s",
            "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "

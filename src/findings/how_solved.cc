@@ -85,14 +85,35 @@ std::string why_no_periods(const Summary& summary) {
   if (!summary.periods.empty() || !summary.response) return "";
   if (summary.reduction) return "no mode that swings has 1 % of F_T";
   return "they are the poles of a reduced model, and this scene was marched; where one converges time.scheme = "
-         "\"reduced\" tells them";
+         "\"reduced\" tells them, or, beside a march, output.periods = true";
+}
+
+/// The modes of a scene that was marched, of its ground as it is before anything yields; none where none converge, or
+/// where several processes have its parts.
+std::optional<ModalModel> modes_beside(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const CompiledScene& compiled = *simulation.compiled();
+  const bool has_modes = scene.time.inertia && !has_prescribed_motion(scene) && !compiled.system.loads.empty();
+  if (!has_modes || simulation.processes()) return std::nullopt;
+  ReductionTargets targets;
+  targets.balanced = true;
+  try {
+    Reduction reduction = reduce_scene(scene, compiled, targets);
+    require_shear_converged(reduction);
+    return std::move(reduction.model);
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
 }
 
 std::vector<NaturalPeriod> find_periods(const Evidence& e) {
   const Solution& bonded = bonded_of(e);
   const Simulation& simulation = *bonded.simulation;
-  if (!bonded.model || !simulation.compiled()->caisson) return {};
-  return natural_periods(*bonded.model, reading::shear_force, sampled_loads(simulation.scene(), simulation.system()));
+  if (!simulation.compiled()->caisson) return {};
+  const std::optional<ModalModel> beside = !bonded.model && e.scene.periods ? modes_beside(simulation) : std::nullopt;
+  const ModalModel* model = beside ? &*beside : bonded.model ? &*bonded.model : nullptr;
+  if (model == nullptr) return {};
+  return natural_periods(*model, reading::shear_force, sampled_loads(simulation.scene(), simulation.system()));
 }
 
 std::string find_title(const Evidence& e) {
@@ -162,7 +183,8 @@ Finding periods_finding() {
     };
     s.list("periods[]", &Summary::periods, period_outputs(),
            "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
-           "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
+           "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made: a march has "
+           "one with output.periods, of the ground before it yields")
         .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   };
   return f.part(&Summary::periods, find_periods);

@@ -109,6 +109,7 @@ estimate = false
 
 [output]
 base = false
+periods = false
 # times: none
 # every: only the steps' own times
 )");

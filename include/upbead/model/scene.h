@@ -177,6 +177,7 @@ struct Scene {
   std::vector<double> output_times;    ///< at which all readings and fields are written (s), ascending
   std::optional<double> output_every;  ///< s between values of the histories; none: the steps' own times
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
+  bool periods = false;                ///< whether the natural periods are sought where the scene is marched, too
   std::optional<SlidingChoice> sliding;
   std::optional<Cycles> cycles;
   Limits limits;
