@@ -20,6 +20,16 @@ def of_column(program, folder):
     return found
 
 
+def of_air(program, folder):
+    """The largest change of |p|/p_0 over the depth where the column's air has the pressure at its own depth, by saturation."""
+    found = {}
+    for saturation in column.SATURATIONS[:-1]:
+        keys = column.keys_of(saturation, {})
+        middle, own = (column.computed(program, keys | {"regions.soil.air_by_depth": by_depth}, folder / "air") for by_depth in (False, True))
+        found[str(saturation)] = max(abs(own[name][0] - middle[name][0]) for name in middle)
+    return found
+
+
 def of_parapet(program, folder):
     frequency, change = parapet.change(program, parapet.CENTRAL, folder)
     stiffer = parapet.frequency(program, parapet.keys_of(parapet.CENTRAL | {"rubble_modulus": STIFFER * parapet.CENTRAL["rubble_modulus"]}, True), folder / "stiffer")
@@ -41,6 +51,7 @@ def all_of(program, folder, only=None):
     """All, or one part by its name."""
     steps = {
         "column": of_column,
+        "air": of_air,
         "parapet": of_parapet,
         "flume": flume.ways,
         "deep": lambda program, folder: deep.frequencies(program, {}, folder / "deep"),

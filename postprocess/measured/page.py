@@ -97,6 +97,7 @@ def fill(text, said, now):
         "column": "\n".join(of_column(said, now)),
         "inertia": f"{max(row['inertia'] for row in now['column'].values()):.1e}",
         "error": f"{100 * max(row['error'] for row in now['column'].values()):.2g}",
+        "air": f"{max(now['air'].values()):.2g}",
         "flume": "\n".join(of_flume(said, now)),
         "as a mass": f"{1e3 * now['flume']['as a case, springs given, triangle, the water as a mass']:.1f}",
         "on springs": f"{1e3 * now['flume']['as a case, springs given, triangle']:.1f}",

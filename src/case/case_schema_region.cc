@@ -217,6 +217,8 @@ void declare_pores(TableSchema<Region>& table) {
                   "share of water in the volume of the pores; the rest is bubbles of air, which make the water softer: "
                   "1/K = S/K_f + (1 - S)/p, p absolute at rest in the middle of the region's height",
                   from_to(0.8, 1.)));
+  limit(table.key("air_by_depth", &Region::air_by_depth, "",
+                  "whether that p is the pressure at rest at each cell's own depth; matters in a high region"));
   limit(table.choice("flow", &Region::flow, flow_words,
                      "how the pore water moves; drained: no pore pressure; auto: darcy or inertial by k omega/(g n)"));
   limit(table.key("tortuosity", &Region::tortuosity, "", "tortuosity of the pores", at_least(1.)));

@@ -83,6 +83,11 @@ Decision decide_compressibility(const std::string& name, Region& region, const S
           incompressible ? "compression of the water in " + name : ""};
 }
 
+/// Absolute pressure of still water of that level at the height y.
+double absolute_pressure(const Scene& scene, double level, double y) {
+  return scene.fluid.atmospheric_pressure + scene.fluid.density * scene.gravity * std::max(0., level - y);
+}
+
 /// Finds k from the intrinsic permeability, and the modulus of pore water that contains air, at the pressure of still
 /// water at the middle of the region's height.
 void find_pore_fluid(const std::string& name, Region& region, const Bounds& bounds, double level,
@@ -95,13 +100,27 @@ void find_pore_fluid(const std::string& name, Region& region, const Bounds& boun
                                   "kappa rho_f g / mu of permeability and fluid.viscosity", ""});
   }
   if (region.saturation == 1.) return;
-  const double depth = std::max(0., level - 0.5 * (bounds.lowest + bounds.highest));
-  const double p = fluid.atmospheric_pressure + fluid.density * resolved.scene.gravity * depth;
+  const double middle = 0.5 * (bounds.lowest + bounds.highest), p = absolute_pressure(resolved.scene, level, middle);
   region.pore_fluid_modulus = pore_fluid_modulus(fluid, region.saturation, p);
   resolved.decisions.push_back({name, "saturation", with_unit(*region.pore_fluid_modulus, "Pa") + " for K_f",
                                 significant(100. * (1. - region.saturation)) + " % of the pores are air at " +
-                                    with_unit(p, "Pa") + " absolute, " + significant(depth) + " m below still water",
+                                    with_unit(p, "Pa") + " absolute, " + significant(std::max(0., level - middle)) +
+                                    " m below still water" +
+                                    (region.air_by_depth ? ", and likewise in each cell at its own depth" : ""),
                                 ""});
+}
+
+/// The modulus of pore water with air in each cell at the pressure of still water there, where a region asks for that.
+void find_air(const Mesh& mesh, double level, ResolvedScene& resolved) {
+  const Scene& scene = resolved.scene;
+  std::vector<double>& modulus = resolved.soil.pore_fluid;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    const Region& region = scene.regions.at(mesh.surface_of(cell));
+    if (!region.air_by_depth) continue;
+    modulus.resize(mesh.triangulation.n_active_cells(), 0.);
+    modulus[cell->active_cell_index()] =
+        pore_fluid_modulus(scene.fluid, region.saturation, absolute_pressure(scene, level, cell->center()[1]));
+  }
 }
 
 /// Least and largest value of a quantity over one region's cells.
@@ -231,6 +250,7 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const double level = water_level(scene, mesh);
   for (auto& [name, region] : resolved.scene.regions)
     if (region.kind == RegionKind::porous) find_pore_fluid(name, region, outline.surfaces.at(name), level, resolved);
+  find_air(mesh, level, resolved);
   for (auto& [name, region] : resolved.scene.regions) {
     const Surroundings at = surroundings_of(name, scene, mesh, outline);
     switch (region.kind) {

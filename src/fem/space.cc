@@ -24,18 +24,19 @@ hp::FECollection<dim> make_elements(unsigned k) {
   return elements;
 }
 
-/// A copy of the region with the soil's stiffness and damping in one of its cells.
+/// A copy of the region with the soil's stiffness, damping and pore fluid in one of its cells.
 Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
   if (!soil.shear_modulus.empty() && soil.shear_modulus[cell] > 0.) region.shear_modulus = soil.shear_modulus[cell];
   if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[cell] >= 0.)
     region.damping->ratio = soil.damping_ratio[cell];
+  if (!soil.pore_fluid.empty() && soil.pore_fluid[cell] > 0.) region.pore_fluid_modulus = soil.pore_fluid[cell];
   return region;
 }
 
 }  // namespace
 
 Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent, const SoilState& soil)
-    : mesh_(&mesh), degree_(scene.mesh.degree), by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()) {
+    : mesh_(&mesh), degree_(scene.mesh.degree), by_cell_(soil.varies()) {
   const auto constants = [&scene](const Region& r) { return upbead::material(r, scene.fluid, scene.gravity); };
   for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   if (by_cell_)

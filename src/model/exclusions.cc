@@ -105,6 +105,8 @@ bool is_march(TimeScheme scheme) {
 
 const Feature by_stress{"stiffness that follows the stress at rest",
                         [](const Scene& s) { return in_regions(s, &Region::stress_law, "shear_modulus"); }};
+const Feature air_by_depth{"air in pores by depth",
+                           [](const Scene& s) { return regions_with(s, &Region::air_by_depth, true, "air_by_depth"); }};
 const Feature strength{"a strength of linear soil",
                        [](const Scene& s) { return in_regions(s, &Region::strength, "strength"); }};
 const Feature cycles{"cycles of a storm", [](const Scene& s) { return when(s.cycles.has_value(), "cycles"); }};
@@ -155,6 +157,7 @@ std::vector<Row> rows_of_soils() {
           {Treatment::soil_model, contact, "it does not slip node by node"},
           {Treatment::soil_model, strain, "stiffness cell by cell is no sum of a few parts"},
           {Treatment::soil_model, by_stress, "stiffness cell by cell is no sum of a few parts"},
+          {Treatment::soil_model, air_by_depth, "storage cell by cell is no sum of a few parts"},
           {Treatment::soil_model, yielding, "soil that yields is not linear"},
           {Treatment::soil_model, shaking, "its parts would need loads of their own"},
           {Treatment::soil_model, volume_load, "its parts would need loads of their own"},

@@ -41,6 +41,7 @@ const Rules& member_rules() {
       {"permeability", {K::porous}, false, is_set(&R::permeability)},
       {"conductivity_ratio", {K::porous}, false, changed(&R::conductivity_ratio)},
       {"saturation", {K::porous}, false, changed(&R::saturation)},
+      {"air_by_depth", {K::porous}, false, changed(&R::air_by_depth)},
       {"flow", {K::porous}, false, changed(&R::flow)},
       {"tortuosity", {K::porous}, false, changed(&R::tortuosity)},
       {"biot", {K::porous}, false, changed(&R::biot)},
@@ -171,6 +172,8 @@ class Checker {
       add_missing("hydraulic_conductivity", whose_, list_);
     if (region_.hydraulic_conductivity && region_.permeability)
       add("permeability", "both 'hydraulic_conductivity' and 'permeability' are given", "keep one of them");
+    if (region_.air_by_depth && region_.saturation == 1.)
+      add("air_by_depth", "air_by_depth without air: saturation is 1", "give a saturation below 1, or remove it");
     // with rigid grains the Biot coefficient is a measured number like any other, and the run warns of it; with
     // compressible grains, the pores' storage could be negative
     if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity &&

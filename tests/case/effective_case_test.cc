@@ -66,6 +66,7 @@ grain_density = 2650.0  # kg/m3
 hydraulic_conductivity = 1e-4  # m/s
 conductivity_ratio = 1.0
 saturation = 1.0
+air_by_depth = false
 flow = "auto"
 tortuosity = 1.0
 biot = 1.0

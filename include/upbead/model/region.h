@@ -178,6 +178,7 @@ struct Region {
   std::optional<double> permeability;                      ///< kappa (m2), instead of k = kappa rho_f g / mu
   double conductivity_ratio = 1.;                          ///< k_y/k_x; those above are of the horizontal flow
   double saturation = 1.;                                  ///< S, water in the volume of pores; the rest is air
+  bool air_by_depth = false;                               ///< whether the air has the pressure at each cell's depth
   std::optional<double> pore_fluid_modulus;                ///< of water with its air (Pa); none: K_f
   Flow flow = Flow::automatic;
   double tortuosity = 1.;
