@@ -21,6 +21,7 @@ SCRIPTS = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[2] /
 sys.path.insert(0, str(SCRIPTS))
 import upbead  # noqa: E402
 from upbead.program import find, toml_value  # noqa: E402
+from upbead.reporting import response as reported  # noqa: E402
 
 TIME = np.linspace(0.0, 1.0, 11)
 
@@ -182,10 +183,23 @@ class Figures(InFolder):
         tables = {f"history__{name}": TIME for name in ("inertia_force", "caisson__displacement_x")}
         tables |= {"measured__gauge__time": TIME[:4], "measured__gauge__value": 5e5 * TIME[:4]}
         figure = upbead.figures.response(upbead.open(write_result(self.folder / "a", **tables)))
-        drawn = [[line for line in axes.lines if line.get_label() == "gauge, measured"] for axes in figure.axes]
+        drawn = [[line for line in axes.lines if line.get_label() == "measured: gauge"] for axes in figure.axes]
         self.assertEqual([len(lines) for lines in drawn], [0, 0, 1, 0])
-        np.testing.assert_allclose(drawn[2][0].get_ydata(), 0.5 * TIME[:4])
+        self.assertIn("(kN/m)", figure.axes[2].get_ylabel())
+        np.testing.assert_allclose(drawn[2][0].get_ydata(), 500 * TIME[:4])
 
+    def test_figure_and_report_draw_the_same_panels(self):
+        tables = {f"history__{name}": 3e3 * TIME for name in ("inertia_force", "caisson__displacement_x", "probes__a_b__pressure", "probes__c__pressure")}
+        result = upbead.open(write_result(self.folder / "a", **tables))
+        told, figure = reported.plot(result, {}).data(), upbead.figures.response(result)
+        self.assertEqual(len(figure.axes), len(told["panels"]))
+        for axes, panel in zip(figure.axes, told["panels"]):
+            self.assertTrue(axes.get_ylabel().endswith(f"({panel['unit']})"), axes.get_ylabel())
+            np.testing.assert_allclose(axes.lines[0].get_ydata(), panel["lines"][0]["y"], rtol=1e-4)
+            self.assertEqual([text.get_text().strip() for text in axes.texts], [mark["text"].strip() for mark in panel["marks"]])
+        self.assertEqual(figure.axes[0].get_xlim(), tuple(told["window"]))
+        (axes,) = upbead.figures.probes(result).axes
+        self.assertEqual([line.get_label() for line in axes.lines[:2]], ["a b", "c"])
 
     def test_pressures_under_the_caisson_at_telling_times(self):
         pressure = np.outer(np.sin(3 * TIME), [3.0, 2.0, 1.0])

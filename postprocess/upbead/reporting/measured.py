@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import figure
-from .language import as_written, heads, phrase, say, spaced
+from .language import as_written, heads, named, phrase, say, spaced
 from .markup import Markup, join, table, tag
 from .plot import Line, Panel, Plot
 from .units import percent, quantity
@@ -44,6 +44,11 @@ def by_reading(result):
     for name, reading, time, value, _, _ in records(result):
         found.setdefault(reading, []).append((name, time, value))
     return found
+
+
+def lines_over(records, name):
+    """Of the records that are compared with a history, to be drawn over it."""
+    return [Line(say("measured: {name}", name=named(what)), t, y, 4, "--") for what, t, y in records.get(name, [])]
 
 
 def section(result):

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from . import figure
+from . import figure, measured
 from .language import named, say, told
 from .plot import Line, Panel, Plot
 from .series import largest
@@ -46,10 +46,9 @@ def described(parts):
     return next(iter(next(iter(parts.values())).values())).description
 
 
-def panel(result, probes, component):
-    time = np.asarray(result.time)
-    lines = [
-        Line(name.replace("_", " "), time, np.asarray(history), i % 6)
-        for i, (name, history) in enumerate(probes.items())
-    ]
-    return Panel(next(iter(probes.values())).unit, lines, height=120, title=component)
+def panel(result, probes, title, quantity="", records=None):
+    """`records` of that quantity, by the history that they are compared with, are drawn over it."""
+    time, lines, order = np.asarray(result.time), [], list(result.file["/history/probes"])  # a point has one colour in all panels
+    for name, history in probes.items():
+        lines += [Line(name.replace("_", " "), time, np.asarray(history), order.index(name) % 6), *measured.lines_over(records or {}, f"probes/{name}/{quantity}")]
+    return Panel(next(iter(probes.values())).unit, lines, height=120, title=title)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import figure, points
+from . import figure, measured, points
 from .language import heads, named, phrase, say, told
 from .markup import Markup, join, prose, table, tag
 from .markup import symbol as symbol_of
@@ -66,23 +66,24 @@ def array(result, name):
     return np.asarray(result.history(name))
 
 
-def section(result, measured):
-    """`measured` are records by the history that they are compared with: [(name, time, values)]."""
-    if not result.has_caisson:
-        read = points.figures(result) or [
-            tag("p", say("No point was read: add [probes.NAME] to the case to see how the section responds."))
-        ]
-        return tag("section", tag("h2", say("Response")), *read, id="response-section")
+def plot(result, records):
+    """What the report and figures.response draw; `records`: measured, by the history that they are compared with: {name: [(name, time, values)]}."""
     time = np.asarray(result.time)
     panels, shown = [], []
     for name, symbol, colour, group in PANELS:
         values = array(result, name)
         shown.append(values)
-        lines = [Line(symbol, time, values, colour)]
-        lines += [Line(say("measured: {name}", name=named(what)), t, y, 4, "--") for what, t, y in measured.get(name, [])]
-        unit = result.history(name).unit
-        panels.append(Panel(unit, lines, [peak_of(result, name, values)], group))
-    plot = Plot("response", panels, window=window(time, shown))
+        lines = [Line(symbol, time, values, colour), *measured.lines_over(records, name)]
+        panels.append(Panel(result.history(name).unit, lines, [peak_of(result, name, values)], group))
+    return Plot("response", panels, window=window(time, shown))
+
+
+def section(result, records):
+    if not result.has_caisson:
+        read = points.figures(result) or [
+            tag("p", say("No point was read: add [probes.NAME] to the case to see how the section responds."))
+        ]
+        return tag("section", tag("h2", say("Response")), *read, id="response-section")
     caption = phrase(
         "Wave force $P$, inertia force $m ẍ_G$, shear force at the bottom $F_T$ and displacement of the centre of gravity "
         "$x_G$ over time, landward positive, as in Fig. 2b of Shimosako and Takahashi (1994). Dots mark the peaks."
@@ -90,7 +91,7 @@ def section(result, measured):
     return tag(
         "section",
         tag("h2", say("Response")),
-        figure.of_plot(plot, caption),
+        figure.of_plot(plot(result, records), caption),
         peaks(result),
         periods(result.summary),
         *points.figures(result, ("pressure",)),
