@@ -110,7 +110,8 @@ TableSchema<BaseSupport> springs_schema() {
       .key("horizontal", &BaseSupport::horizontal, "Pa", "force per displacement and per metre of breakwater, landward",
            above(0.))
       .required();
-  table.key("vertical", &BaseSupport::vertical, "Pa", "the same upward", above(0.)).required();
+  table.key("vertical", &BaseSupport::vertical, "Pa", "force per displacement and per metre, upward", above(0.))
+      .required();
   table.key("rotation", &BaseSupport::rotation, "N", "moment per angle (rad) and per metre of breakwater", above(0.))
       .required();
   return table;
@@ -120,7 +121,7 @@ TableSchema<BaseSupport> dashpots_schema() {
   TableSchema<BaseSupport> table;
   table.key("horizontal", &BaseSupport::horizontal, "Pa s", "force per velocity and per metre of breakwater, landward",
             at_least(0.));
-  table.key("vertical", &BaseSupport::vertical, "Pa s", "the same upward", at_least(0.));
+  table.key("vertical", &BaseSupport::vertical, "Pa s", "force per velocity and per metre, upward", at_least(0.));
   table.key("rotation", &BaseSupport::rotation, "N s", "moment per angular velocity and per metre of breakwater",
             at_least(0.));
   return table;

@@ -57,7 +57,7 @@ TableSchema<WaveLoadTable> wave_load_schema() {
   table.key("number", &WaveLoadTable::number, "",
             "of equal waves in a row, one a period: ground and slip remember those before", from_to(1, most_waves));
   table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
-      .doc("The impulsive part of a church roof, as in a design: assumptions of ours.")
+      .doc("The impulsive part of a church roof, as in a design: assumptions of ours")
       .when("course", has_impact, "where course = \"church_roof\"");
   return table;
 }
