@@ -45,6 +45,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.regions["mound"].law = SoilLaw::mohr_coulomb;
   scene.regions["mound"].densification = Densification();
   scene.regions["sand"].flow = Flow::inertial;
+  scene.regions["sand"].air_by_depth = true;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;
   scene.initial = InitialState();
