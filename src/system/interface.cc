@@ -42,6 +42,7 @@ Row select(const Row& row, const Selection& selection) {
 PartOfSystem without_last(PartOfSystem part, int n, int n_dropped) {
   part.n_whole = std::max(0, part.n_whole - n_dropped);  // 0 where nothing is divided
   while (!part.counted.empty() && part.counted.back().first >= n) part.counted.pop_back();
+  part.number.resize(std::min(part.number.size(), static_cast<std::size_t>(n)));
   return part;
 }
 

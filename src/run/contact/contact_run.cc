@@ -156,14 +156,15 @@ Solution without_node_forces(Solution solution, int n_nodes, System& system) {
 /// Adds the forces of yielding soil to the forces at bonded nodes, which are residuals of the rows of their slips and
 /// openings.
 void add_soil_to_node_forces(const Simulation& simulation, const System& system, System& tied) {
-  const int n_nodes = system.interface->n_nodes(), first = system.first_slip();
+  const int n_nodes = system.interface->n_nodes(), n_unknowns = whole_size(system);
+  const int first = n_unknowns - 2 * n_nodes, first_opening = n_unknowns - n_nodes;  // as the space numbers them
   const std::size_t first_reading = tied.readings.size() - 2 * static_cast<std::size_t>(n_nodes);
   const Unknowns& unknowns = *simulation.unknowns();
   for (unsigned dof = 0; dof < simulation.space()->dofs().n_dofs(); ++dof)
     for (const auto& [unknown, weight] : unknowns.expansion(dof)) {
       if (unknown < first) continue;
-      const bool is_slip = unknown < system.first_opening();
-      const auto node = static_cast<std::size_t>(unknown - (is_slip ? first : system.first_opening()));
+      const bool is_slip = unknown < first_opening;
+      const auto node = static_cast<std::size_t>(unknown - (is_slip ? first : first_opening));
       Reading& reading = tied.readings[first_reading + 2 * node + (is_slip ? 0 : 1)];
       reading.nodal_forces.emplace_back(static_cast<int>(dof), is_slip ? -weight : weight);
     }
