@@ -138,12 +138,27 @@ Equations slipping(const OpenLoop& o, double friction) {
 
 /// Sets real parts of round-off to zero; returns the largest that is left.
 double drop_growth(const Eigen::MatrixXd& A, Eigen::VectorXcd& pole) {
+  const double round_off = no_growth * A.norm();
   double growth = 0.;
   for (std::complex<double>& p : pole) {
-    if (p.real() <= no_growth * A.norm()) p.real(std::min(p.real(), 0.));
+    if (p.real() <= round_off) p.real(std::min(p.real(), 0.));
     growth = std::max(growth, p.real());
   }
   return growth;
+}
+
+/// What answers its loads, in modes; no state is needed, so none is turned into modes.
+ModalModel answers_in_modes(const Equations& e) {
+  ModalModel model;
+  detail::Modes modes = detail::diagonalise(e.A, e.B);
+  drop_growth(e.A, modes.pole);
+  const std::vector<int> kept = modes.kept();
+  model.pole = modes.pole(kept);
+  model.load = modes.load(kept, Eigen::all);
+  model.reading = modes.reading(e.C * modes.X, kept);
+  model.feedthrough = e.D;
+  model.impulse.setZero(e.D.rows(), e.D.cols());
+  return model;
 }
 
 /// The modes of a phase; `n_states`: number of states of the open loop.
@@ -262,8 +277,7 @@ ModalModel stuck_and_free(const ReducedSystem& reduced, const SlipLaw& law) {
   apart.B << loop.B, loop.b;
   apart.C << loop.velocity, loop.n;
   apart.D.row(1) << loop.n_load, loop.n_shear + 1.;
-  double growth = 0.;
-  ModalModel both = side_by_side(in_modes(together, N, growth).modes, in_modes(apart, N, growth).modes);
+  ModalModel both = side_by_side(answers_in_modes(together), answers_in_modes(apart));
   for (const int row : {1, 3}) {
     both.reading.row(row) += both.reading.row(0);
     both.feedthrough.row(row) += both.feedthrough.row(0);
