@@ -6,8 +6,10 @@
 #include <map>
 #include <optional>
 
+#include "algebra/dense.h"
 #include "fem/faces.h"
 #include "fem/probes.h"
+#include "response/rows_of_basis.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead {
@@ -116,14 +118,11 @@ void UpwardPressure::see(const State& state, int step, int) {
 
 void UpwardPressure::see(const PressureModel& model, const SampledLoads& loads) {
   const Series series = respond(model.model, loads);
-  SparseMatrix of_phi(rows_.cols(), static_cast<Eigen::Index>(model.basis.unknown.size()));
-  for (std::size_t j = 0; j < model.basis.unknown.size(); ++j)
-    of_phi.coeffRef(model.basis.unknown[j], static_cast<Eigen::Index>(j)) = 1.;
-  const SparseMatrix rows = rows_ * of_phi;
+  const Eigen::MatrixXd rows = rows_of_basis(rows_, model.basis);
   constexpr Eigen::Index at_once = 64;
   for (Eigen::Index first = 0; first < series.reading.cols(); first += at_once) {
     const Eigen::Index count = std::min(at_once, series.reading.cols() - first);
-    const Eigen::MatrixXd excess = rows * phi_velocities(model.basis, series.reading.middleCols(first, count));
+    const Eigen::MatrixXd excess = product(rows, series.reading.middleCols(first, count));
     for (Eigen::Index i = 0; i < count; ++i) take(excess.col(i), series.time[static_cast<std::size_t>(first + i)]);
   }
 }
