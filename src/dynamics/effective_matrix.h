@@ -29,6 +29,9 @@ class EffectiveMatrix {
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
   /// its head is overwritten. In a divided system, `rhs` is a sum over processes.
   void solve(Vector& rhs, Vector& y) const;
+  /// The free unknowns of several solutions at once, where the prescribed ones are zero; not refined.
+  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& rhs) const { return factors_.solve_columns(rhs); }
+  int n_free() const { return n_free_; }
   /// E y - rhs in the rows of the last n unknowns, which are prescribed. In a divided system it is the sum over all
   /// processes, the same on each; so is what is condensed.
   Vector residual_of_last(int n, const Vector& rhs, const Vector& y) const;

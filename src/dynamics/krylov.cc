@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algebra/dense.h"
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "dynamics/slip_row.h"
@@ -256,6 +257,66 @@ bool SecondOrderKrylov::extend() {
     if (append(take(x), of_x)) return true;
   }
   return false;
+}
+
+/// Enlarges the coordinates by those of directions that are new.
+void SecondOrderKrylov::take_together(FieldBasis& basis, const Eigen::MatrixXd& x, Eigen::MatrixXd& coordinates) {
+  Eigen::MatrixXd Y = basis.unit.cwiseInverse().asDiagonal() * x(basis.unknown, Eigen::all);
+  for (int pass = 0; pass < 2; ++pass) {
+    const Eigen::MatrixXd H = transposed_product(basis.columns(), Y);
+    Y -= product(basis.columns(), H);
+    for (Eigen::Index j = 0; j < H.rows(); ++j) coordinates.row(basis.coordinate[j]) += H.row(j);
+  }
+  const Eigen::Index first = basis.n();
+  for (Eigen::Index c = 0; c < Y.cols(); ++c) {
+    Vector y = Y.col(c);
+    if (basis.n() > first) {
+      const Vector h = orthogonalise(basis.columns_from(first), y);
+      for (Eigen::Index j = 0; j < h.size(); ++j) coordinates(basis.coordinate[first + j], c) += h[j];
+    }
+    const double rest = y.norm();
+    if (rest <= round_off * (rest + coordinates.col(c).norm())) continue;
+    add_column(basis, y / rest, n_coordinates_);
+    coordinates.conservativeResizeLike(Eigen::MatrixXd::Zero(++n_coordinates_, Y.cols()));
+    coordinates(n_coordinates_ - 1, c) = rest;
+  }
+}
+
+bool SecondOrderKrylov::extend_together() {
+  check_interrupt();
+  const Eigen::Index m = std::min(n_starts_, n_vectors_ - n_expanded_), first = n_expanded_;
+  if (m == 0) return false;
+  const Eigen::MatrixXd of_x = x_.middleCols(first, m), of_previous = previous_.middleCols(first, m);
+  n_expanded_ += static_cast<int>(m);
+  const auto vectors_of = [&](const Eigen::MatrixXd& coordinates) {
+    Eigen::MatrixXd x(n_unknowns_, m);
+    for (const FieldBasis* basis : {&u_, &phi_}) {
+      Eigen::MatrixXd h = Eigen::MatrixXd::Zero(basis->n(), m);
+      for (Eigen::Index j = 0; j < h.rows(); ++j)
+        if (const int c = basis->coordinate[j]; c < coordinates.rows()) h.row(j) = coordinates.row(c);
+      x(basis->unknown, Eigen::all) = basis->unit.asDiagonal() * product(basis->columns(), h);
+    }
+    return x;
+  };
+  const Eigen::MatrixXd x = vectors_of(of_x), previous = vectors_of(of_previous);
+  Eigen::MatrixXd next = Eigen::MatrixXd::Zero(n_unknowns_, m);
+  {
+    const std::lock_guard<std::mutex> lock(matrices_->turn);
+    for (Eigen::Index c = 0; c < m; ++c) {
+      Vector rhs = Vector::Zero(n_unknowns_);
+      matrices_->products.subtract_products(x.col(c), previous.col(c), rhs);
+      next.col(c) = rhs;
+    }
+    const Eigen::Index n_free = matrices_->T.n_free();
+    next.topRows(n_free) = matrices_->T.solve_columns(next.topRows(n_free));
+    next.bottomRows(n_unknowns_ - n_free).setZero();
+  }
+  n_solves_ += static_cast<int>(m);
+  Eigen::MatrixXd coordinates = Eigen::MatrixXd::Zero(n_coordinates_, m);
+  for (FieldBasis* basis : {&u_, &phi_}) take_together(*basis, next, coordinates);
+  bool added = false;
+  for (Eigen::Index c = 0; c < m; ++c) added = append(coordinates.col(c), of_x.col(c)) || added;
+  return added || extend_together();
 }
 
 }  // namespace upbead

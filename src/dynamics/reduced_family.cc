@@ -1,6 +1,7 @@
 #include "dynamics/reduced_family.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -30,6 +31,29 @@ ReducedSystem selected(const ReducedSystem& member, const std::vector<int>& coor
   out.load = out.load(coordinates, Eigen::all).eval();
   out.is_phi.clear();
   for (const int i : coordinates) out.is_phi.push_back(member.is_phi[static_cast<std::size_t>(i)]);
+  return out;
+}
+
+/// The coordinates of u with W, and those of phi.
+std::array<std::vector<int>, 2> by_kind(const std::vector<bool>& is_phi) {
+  std::array<std::vector<int>, 2> list;
+  for (std::size_t i = 0; i < is_phi.size(); ++i) list[is_phi[i] ? 1 : 0].push_back(static_cast<int>(i));
+  return list;
+}
+
+/// R^T A R of a symmetric A by its blocks, as R mixes no kinds: most parts of a family have a single one.
+Eigen::MatrixXd rotated_by_kind(const Eigen::MatrixXd& A, const std::array<std::vector<int>, 2>& from,
+                                const std::array<std::vector<int>, 2>& to, const std::array<Eigen::MatrixXd, 2>& R) {
+  const auto n = static_cast<Eigen::Index>(to[0].size() + to[1].size());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t b = a; b < 2; ++b) {
+      const Eigen::MatrixXd block = A(from[a], from[b]);
+      if (block.isZero(0.)) continue;
+      const Eigen::MatrixXd turned = transposed_product(R[a], product(block, R[b]));
+      out(to[a], to[b]) = turned;
+      if (a != b) out(to[b], to[a]) = turned.transpose();
+    }
   return out;
 }
 
@@ -65,17 +89,19 @@ ReducedSystem ReducedFamily::bonded(const std::vector<double>& factors, double s
 
 ReducedSystem rotated(const ReducedSystem& member, const Eigen::MatrixXd& rotation) {
   ReducedSystem out = member;
-  for (Eigen::MatrixXd* A : {&out.M, &out.C, &out.K})
-    if (A->size() > 0) *A = transposed_product(rotation, product(*A, rotation));
-  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
-    if (rows->size() > 0) *rows = product(*rows, rotation);
-  out.load = transposed_product(rotation, member.load);
   out.is_phi.assign(static_cast<std::size_t>(rotation.cols()), false);
   for (Eigen::Index j = 0; j < rotation.cols(); ++j) {
     Eigen::Index largest = 0;
     rotation.col(j).cwiseAbs().maxCoeff(&largest);
     out.is_phi[static_cast<std::size_t>(j)] = member.is_phi[static_cast<std::size_t>(largest)];
   }
+  const std::array<std::vector<int>, 2> from = by_kind(member.is_phi), to = by_kind(out.is_phi);
+  const std::array<Eigen::MatrixXd, 2> of_kind{rotation(from[0], to[0]), rotation(from[1], to[1])};
+  for (Eigen::MatrixXd* A : {&out.M, &out.C, &out.K})
+    if (A->size() > 0) *A = rotated_by_kind(*A, from, to, of_kind);
+  for (Eigen::MatrixXd* rows : {&out.position, &out.velocity, &out.acceleration})
+    if (rows->size() > 0) *rows = product(*rows, rotation);
+  out.load = transposed_product(rotation, member.load);
   return out;
 }
 

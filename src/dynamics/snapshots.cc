@@ -71,13 +71,13 @@ Eigen::MatrixXd coordinates(const ReducedSystem& reduced, const SnapshotOptions&
   return real_columns(Q);
 }
 
-/// The left singular vectors of the columns, times their singular values: what is below round-off is left out, and
-/// fewer columns hold the same products X X'.
+/// The left singular vectors of the columns, times their singular values: fewer columns hold the same products X X'.
+/// What is below a billionth of the largest is left out, far less than any basis leaves out of snapshots.
 Eigen::MatrixXd condensed(const Eigen::MatrixXd& columns) {
-  constexpr double round_off = 1e-12;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU);
+  constexpr double negligible = 1e-9;
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU);
   const Vector& sizes = svd.singularValues();
-  const Eigen::Index n = (sizes.array() > round_off * sizes[0]).count();
+  const Eigen::Index n = (sizes.array() > negligible * sizes[0]).count();
   return svd.matrixU().leftCols(n) * sizes.head(n).asDiagonal();
 }
 
@@ -92,7 +92,7 @@ Eigen::MatrixXd of_field(const FieldBasis& basis, const Eigen::MatrixXd& Q) {
 Snapshots snapshots(const System& system, const SnapshotOptions& options) {
   SecondOrderKrylov krylov(system, options.shift, options.exact);
   const int wanted = options.vectors * krylov.n_independent_loads();
-  while (krylov.n_vectors() < wanted && krylov.extend())
+  while (krylov.n_vectors() < wanted && krylov.extend_together())
     if (options.progress) options.progress(static_cast<double>(krylov.n_vectors()) / wanted);
   const Projection projection(system, krylov);
   Eigen::MatrixXd Q = coordinates(projection.reduced(), options);

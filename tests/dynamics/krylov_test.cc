@@ -109,6 +109,46 @@ TEST(Krylov, BasesAreOrthonormalAndHoldWhatIsKept) {
   EXPECT_FALSE(krylov.extend()) << "once exhausted, always exhausted";
 }
 
+/// Largest part of a direction of one basis that the other does not hold.
+double beyond(const FieldBasis& one, const FieldBasis& other) {
+  const Eigen::MatrixXd Q = other.columns(), V = one.columns();
+  if (V.size() == 0) return 0.;
+  return (V - Q * (Q.transpose() * V)).colwise().norm().maxCoeff();
+}
+
+TEST(Krylov, SideBySideSpansTheSame) {
+  System system = chain(40, 1., 0.5, 0.1);
+  system.loads.push_back({"middle", Vector::Unit(80, 17), hat(), -1});
+  SecondOrderKrylov one(system, shift, {5}), together(system, shift, {5});
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(together.extend_together());
+  while (one.n_vectors() < together.n_vectors()) ASSERT_TRUE(one.extend());
+  EXPECT_EQ(together.n_vectors(), 8);
+  EXPECT_EQ(together.n_solves(), one.n_solves());
+  for (const auto& [a, b] :
+       {std::pair(&one.displacements(), &together.displacements()), {&one.phi(), &together.phi()}}) {
+    ASSERT_EQ(a->n(), b->n());
+    EXPECT_LT(beyond(*a, *b), 1e-9);
+    EXPECT_LT(beyond(*b, *a), 1e-9);
+  }
+}
+
+TEST(Krylov, SideBySideEndsWhereTheSpaceIsExhausted) {
+  for (const bool prescribed : {false, true}) {
+    Sample sample;
+    sample.prescribed_u = prescribed;
+    System system = loaded_sample(sample, hat());
+    if (prescribed) system.loads.push_back(prescribed_load(system, hat()));
+    SecondOrderKrylov krylov(system, shift);
+    while (krylov.extend_together()) continue;
+    EXPECT_EQ(krylov.n_coordinates(), system.size());
+    for (const FieldBasis* basis : {&krylov.displacements(), &krylov.phi()}) {
+      const Eigen::MatrixXd V = basis->columns();
+      EXPECT_LT((V.transpose() * V - Eigen::MatrixXd::Identity(V.cols(), V.cols())).norm(), 1e-11);
+    }
+    EXPECT_FALSE(krylov.extend_together());
+  }
+}
+
 TEST(Krylov, RefusesWhatItCannotReduce) {
   System system = loaded_sample({}, hat());
   EXPECT_THROW(SecondOrderKrylov(system, 0.), std::invalid_argument);

@@ -69,6 +69,10 @@ class SecondOrderKrylov {
 
   /// Adds a vector; false where the space is exhausted.
   bool extend();
+  /// Adds as many vectors as there are independent loads, side by side: bases and factors are read once for all of
+  /// them. They span what extend() would add, in other directions. False where the space is exhausted. Not of a divided
+  /// system nor of a slip.
+  bool extend_together();
 
   const FieldBasis& displacements() const { return u_; }
   const FieldBasis& phi() const { return phi_; }
@@ -91,6 +95,7 @@ class SecondOrderKrylov {
   /// Coordinates of x in both bases, and of a slip; first adds to the bases the part of x that they do not span.
   Vector take(const Vector& x, double slip = 0.);
   void take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates);
+  void take_together(FieldBasis& basis, const Eigen::MatrixXd& x, Eigen::MatrixXd& coordinates);
   Vector vector_of(const Eigen::Ref<const Vector>& coordinates) const;
   /// Appends a pair, given by the coordinates of both vectors, unless it lies in the span of the pairs so far.
   bool append(const Vector& x, const Eigen::Ref<const Vector>& previous);
