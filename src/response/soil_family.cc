@@ -9,6 +9,8 @@
 #include "base/interrupt.h"
 #include "base/numbers.h"
 #include "base/progress.h"
+#include "dynamics/basis.h"
+#include "dynamics/growing_model.h"
 #include "dynamics/projection.h"
 #include "dynamics/snapshot_basis.h"
 #include "fem/caisson/reading_names.h"
@@ -61,19 +63,52 @@ CompiledScene small_scene(const SoilFamily& family, const ReducedSystem& member,
   return compiled;
 }
 
+/// How the histories are found that a family holds to its tolerance.
+ReduceOptions held_options(const Scene& scene, const CompiledScene& member, std::size_t n_held) {
+  ReductionTargets targets;
+  targets.first_vectors = first_of_member;
+  targets.most_vectors = most_of_member;
+  ReduceOptions options = reduce_options(scene, member, targets);
+  options.measured.resize(n_held);
+  std::iota(options.measured.begin(), options.measured.end(), 0);
+  return options;
+}
+
+/// The response of a model that has grown as far as it must.
+Eigen::MatrixXd histories_of(GrowingModel&& model, const ReduceOptions& options) {
+  while (!model.reduction().converged && model.grow()) {
+  }
+  return respond(model.reduction().model, options.training).reading;
+}
+
 /// Histories that the family holds to its tolerance, under the scene's own loads.
 Eigen::MatrixXd held_histories(const SoilFamily& family, const Scene& scene, const Factors& factors, double share) {
   ReducedSystem member = family.reduced.bonded(factors, share);
   const HeldReadings held = held_readings(member.reading_label, family.like.caisson->bottom_width);
   member = with_readings(std::move(member), held.sums, held.labels);
-  const CompiledScene compiled = small_scene(family, member, names_of(member, family.like.system.loads));
-  ReductionTargets targets;
-  targets.first_vectors = first_of_member;
-  targets.most_vectors = most_of_member;
-  ReduceOptions options = reduce_options(scene, compiled, targets);
-  options.measured.resize(held.labels.size());
-  std::iota(options.measured.begin(), options.measured.end(), 0);
-  return respond(reduce(compiled.system, options).model, options.training).reading;
+  const CompiledScene compiled =
+      with_courses(small_scene(family, member, names_of(member, family.like.system.loads)), scene);
+  const ReduceOptions options = held_options(scene, compiled, held.labels.size());
+  return histories_of(GrowingModel(compiled.system, options), options);
+}
+
+/// The same of a member in all directions, in a space that its answer goes on with: what is held are sums of the
+/// readings of its modes.
+Eigen::MatrixXd held_histories(const Scene& scene, const CompiledScene& member, BasisRoom& room) {
+  ReduceOptions options = held_options(scene, member, 0);
+  const std::shared_ptr<GrowingBasis> basis = room.basis(member.system, options);
+  std::optional<HeldReadings> held;
+  std::size_t look = 0;
+  options.model = [&](const ReducedSystem& reduced) {
+    if (!held) held = held_readings(reduced.reading_label, member.caisson->bottom_width);
+    ModalModel model = basis->modes(look++, Kept::pressures).model;
+    model.reading = held->sums * model.reading;
+    for (Eigen::MatrixXd* direct : {&model.feedthrough, &model.impulse}) *direct = held->sums * *direct;
+    model.reading_label = held->labels;
+    return model;
+  };
+  options.measured = {0, 1, 2, 3};
+  return histories_of(GrowingModel(std::static_pointer_cast<Looks>(basis), options), options);
 }
 
 void count_slip(SoilFamily& family) {
@@ -157,6 +192,12 @@ SlipSystem SoilFamily::slips_at(const Factors& factors) const {
 
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors) {
   const Eigen::MatrixXd all = held_histories(family, scene, factors, 1.);
+  return family.reduced.safety * difference(held_histories(family, scene, factors, nested_share), all);
+}
+
+double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors, const CompiledScene& member,
+                    BasisRoom& room) {
+  const Eigen::MatrixXd all = held_histories(scene, member, room);
   return family.reduced.safety * difference(held_histories(family, scene, factors, nested_share), all);
 }
 

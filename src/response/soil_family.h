@@ -65,5 +65,9 @@ AffineScene with_slip(const AffineScene& affine);
 /// Largest difference of a history of held_readings() between nested members over its peak, times the family's safety,
 /// under the scene's own loads.
 double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors);
+/// The same of a soil that is to be answered: `member`: SoilFamily::at() with the scene's courses; the space in which
+/// it is reduced is left in `room`.
+double family_error(const SoilFamily& family, const Scene& scene, const Factors& factors, const CompiledScene& member,
+                    BasisRoom& room);
 
 }  // namespace upbead

@@ -162,11 +162,8 @@ Simulation SoilModel::member(const Scene& given) const {
   parts.unknowns = first_.unknowns();
   parts.compiled = std::make_shared<const CompiledScene>(with_courses(*first_.compiled(), parts.scene));
   const Factors factors = AffineScene{{}, terms_, {}}.factors(coefficients_of(parts.scene));
-  SoilMember member{with_courses(family_.at(factors), parts.scene),
-                    family_error(family_, parts.scene, factors),
-                    phi_,
-                    {},
-                    std::make_shared<BasisRoom>()};
+  SoilMember member{with_courses(family_.at(factors), parts.scene), 0., phi_, {}, std::make_shared<BasisRoom>()};
+  member.error = family_error(family_, parts.scene, factors, member.compiled, *member.room);
   if (family_.slipping && parts.scene.sliding) {
     member.slip = family_.slips_at(factors);
     for (std::size_t k = 0; k < member.compiled.system.loads.size(); ++k)

@@ -8,6 +8,7 @@
 
 #include <random>
 
+#include "dynamics/basis.h"
 #include "response/held_readings.h"
 #include "response/reduction.h"
 #include "scenes.h"
@@ -137,6 +138,32 @@ TEST_F(Soils, OfACaissonThatSlipsHoldTheBondedOne) {
   const SlipReduction by = SlipSpace(scene_, member, small, UpliftKind::prescribed).reduce(bonded, {});
   EXPECT_LT(own.bonded_error, 5e-3);
   EXPECT_LT(by.bonded_error, 5e-3);
+}
+
+TEST_F(Soils, TellTheSameErrorInTheSpaceOfTheirAnswer) {
+  const SoilFamily family = make(bonded_, 6).family;
+  for (unsigned seed = 800; seed < 803; ++seed) {
+    const Factors soil = factors(seed);
+    const CompiledScene member = with_courses(family.at(soil), scene_);
+    BasisRoom room;
+    const double alone = family_error(family, scene_, soil), shared = family_error(family, scene_, soil, member, room);
+    EXPECT_NEAR(shared, alone, 1e-6 * alone) << seed;
+    ReductionTargets targets;
+    targets.first_vectors = first_of_member;
+    EXPECT_GT(reduce_scene(scene_, member, targets, {}, &room).n_spared, 0) << seed;
+  }
+}
+
+/// Waves of a study differ in their course; the family was made with that of its first soil.
+TEST_F(Soils, TellTheErrorUnderTheirOwnWave) {
+  const SoilFamily family = make(bonded_, 6).family;
+  const Factors soil = factors(801);
+  Scene other = scene_;
+  for (auto& [name, load] : other.loads) load.history = scaled(load.history, 3.);
+  BasisRoom room;
+  const double own = family_error(family, scene_, soil),
+               threefold = family_error(family, other, soil, with_courses(family.at(soil), other), room);
+  EXPECT_NEAR(threefold, own, 1e-6 * own);
 }
 
 TEST_F(Soils, NeverGrow) {
