@@ -51,7 +51,7 @@ set(base auto_derivative_function bounding_box conditional_ostream data_out_base
   timer utilities)
 set(distributed shared_tria)
 set(dofs block_info dof_accessor dof_accessor_get dof_accessor_set dof_faces dof_handler dof_handler_policy
-  dof_objects dof_tools number_cache)
+  dof_objects dof_tools dof_tools_constraints number_cache)
 set(fe block_mask component_mask fe fe_data fe_dgq fe_nothing fe_poly fe_pyramid_p fe_q fe_q_base fe_q_bubbles
   fe_q_dg0 fe_q_iso_q1 fe_raviart_thomas_nodal fe_simplex_p fe_system fe_tools fe_tools_interpolate fe_values
   fe_values_inst2 fe_values_inst3 fe_values_inst4 fe_values_inst5 fe_values_inst6 fe_wedge_p mapping
