@@ -18,12 +18,14 @@ from .design_data import design_data, effective, is_design, states_of
 from .life_data import with_life
 from .model_data import model_data
 from .scene import of_same_scene
+from .soil_data import is_of_soils, soil_data
 
 HERE = Path(__file__).parent
 # Each module after those that it imports, as one script needs no imports.
 SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save", "link", "kept", "checks")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
 OF_MODEL = ("fft", "trust", "base", "circles", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
+OF_SOILS = ("numbers", "plot", "element", "field", "soil_system", "soils")
 OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "life", "design")
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
@@ -35,7 +37,8 @@ def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, 
     Parameters
     ----------
     model : path
-        reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`.
+        reduced.h5 of `upbead reduce`, or its folder; soils.h5 of `upbead reduce --soils`; or a design file, or the
+        folder of `upbead waves`.
     output : path, optional
         The page; default: page.html beside the model, or in the folder of the results (results/NAME for a design file).
     design : path, optional
@@ -51,6 +54,12 @@ def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, 
         The page, which contains everything that it shows, and needs no network.
     """
     given = Path(model)
+    if is_of_soils(given):
+        if design or beside:
+            raise UserError(f"'{given}' is a model of soils: its page has neither a design nor models beside it")
+        output = Path(output) if output else given.parent / "page.html"
+        keep_inputs(output, given)
+        return written(output, document_of_soils(soil_data(given)))
     if is_design(given):
         model, design = None, design or given
     else:
@@ -61,7 +70,10 @@ def page(model: str | PathLike[str], output: str | PathLike[str] | None = None, 
     keep_inputs(output, *(path for path in (model, design, *beside) if path), *(states_of(*known) if known else ()))
     data = known and with_life(design_data(known[0], design), *known, program)
     summaries = [of_run(model) if model else {}, summary, (data or {}).get("life", {}).pop("summary", {})]
-    text = document(*data_of(model, data, beside), summaries)
+    return written(output, document(*data_of(model, data, beside), summaries))
+
+
+def written(output, text):
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
@@ -117,17 +129,32 @@ def names_of(titles, files):
 def document(model=None, design=None, summaries=()):
     """The page; `summaries` are those of the program for what it was made of: their failing checks and warnings stand
     first."""
-    title = html.escape((design or model)["title"] or "Reduced model")
+    title = (design or model)["title"] or "Reduced model"
     judged = typeset.page("".join(dict.fromkeys(told.listed(summary) for summary in summaries)))
     before = f'<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>{judged}</section>'
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1
     inside = "".join((f"<h2>{name}</h2>\n" if several else "") + f'<p class="quiet">{facts}</p>\n{text}' for name, facts, text in parts)
+    return whole(title, f'{before if judged else ""}{inside}', script(model, design))
+
+
+def document_of_soils(data):
+    """A slider for each key of the soils."""
+    facts = (
+        f"F_T of the case's own loads on any soil between the ends of the sliders, by {data['size']} equations; within {100 * data['error']:.2g} % "
+        "of the model of soils on soils that it was not made of. S, pressures and other waves: upbead respond --soil. Nothing is sent anywhere."
+    )
+    facts = html.escape(facts).replace("F_T", "<i>F</i><sub>T</sub>")
+    return whole(data["title"] or "Model of soils", f'<p class="quiet">{facts}</p>\n{element("What if, by soils", "whatif-soils", data)}', joined(OF_SOILS))
+
+
+def whole(title, inside, modules):
+    title = html.escape(title)
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
         f"<title>{title}: what if</title><style>{read('page.css')}</style><style>{read('whatif.css')}</style></head>\n"
-        f'<body><main><h1>{title}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
+        f'<body><main><h1>{title}</h1>{inside}</main><script type="module">\n{modules}</script>\n</body></html>\n'
     )
 
 
@@ -162,7 +189,10 @@ def element(name, kind, data):
 
 def script(model=None, design=None):
     """The modules that the model and the design need, joined to one script."""
-    names = SHARED + OF_FORMULAS + (OF_MODEL if model else ()) + (OF_DESIGN if design else ())
+    return joined(SHARED + OF_FORMULAS + (OF_MODEL if model else ()) + (OF_DESIGN if design else ()))
+
+
+def joined(names):
     return "".join(IMPORT.sub("", read(f"{name}.js")).replace("\nexport ", "\n") for name in names)
 
 
