@@ -23,7 +23,7 @@ struct Work {
   std::shared_ptr<SectionModel> model;
   StandardSpace space;
   Sampling sampling;
-  std::shared_ptr<Ground> ground;  ///< null where it is not asked
+  std::shared_ptr<ModelledGround> ground;  ///< null where it is not asked
 };
 
 StandardSpace space_of(const RandomVariables& random, const Document& document) {
@@ -42,14 +42,14 @@ RandomVariables random_of(const DesignTables& tables) {
   return random;
 }
 
-std::shared_ptr<Ground> ground_of(const Design& design) {
+std::shared_ptr<ModelledGround> ground_of(const Design& design) {
   if (!asks_for_ground(design.tables)) return nullptr;
   const Place place = design.document.place("dynamics.model");
-  return std::make_shared<Ground>(design.tables, design.resolve(design.tables.dynamics->model), place);
+  return std::make_shared<ModelledGround>(design.tables, design.resolve(design.tables.dynamics->model), place);
 }
 
 /// `ground`: its soil is complete in the design.
-Work work_of(const Design& design, const std::shared_ptr<Ground>& ground) {
+Work work_of(const Design& design, const std::shared_ptr<ModelledGround>& ground) {
   const DesignTables& tables = design.tables;
   const ReliabilityTable& table = *tables.reliability;
   const RandomVariables random = random_of(tables);
@@ -177,7 +177,7 @@ std::map<std::string, SystemNode> gates_of(const ReliabilityTable& table,
 }
 
 /// The design with all keys of the soil.
-Design on_ground(Design design, const std::shared_ptr<Ground>& ground) {
+Design on_ground(Design design, const std::shared_ptr<ModelledGround>& ground) {
   if (ground) design.tables.dynamics->soil = ground->soil();
   return design;
 }
@@ -190,7 +190,7 @@ std::vector<SectionLimitState> states_of(const Work& work) {
 }
 
 ReliabilityAnswer answer_of(const Design& given) {
-  const std::shared_ptr<Ground> ground = ground_of(given);
+  const std::shared_ptr<ModelledGround> ground = ground_of(given);
   const Design design = on_ground(given, ground);
   const Work work = work_of(design, ground);
   const ReliabilityTable& table = *design.tables.reliability;

@@ -67,7 +67,7 @@ std::string beyond(const RandomVariable& v, const SoilAxis& axis) {
          significant(axis.low, 6) + " and " + significant(axis.high, 6);
 }
 
-void check_soil_variables(const DesignTables& tables, const Ground& ground, const Document& document,
+void check_soil_variables(const DesignTables& tables, const ModelledGround& ground, const Document& document,
                           Diagnostics& report) {
   const std::vector<SoilAxis> box = ground.box();
   for (const auto& [name, variable] : tables.reliability->variables) {
@@ -95,7 +95,7 @@ bool asks_for_ground(const DesignTables& tables) {
                                                      [](const auto& one) { return is_of_soil(one.second.acts_on); });
 }
 
-Ground::Ground(const DesignTables& tables, const std::string& file, const Place& place)
+ModelledGround::ModelledGround(const DesignTables& tables, const std::string& file, const Place& place)
     : table_(*tables.dynamics),
       certain_{tables.section, tables.water, tables.duration, tables.combined},
       impact_(tables.impact),
@@ -112,19 +112,19 @@ Ground::Ground(const DesignTables& tables, const std::string& file, const Place&
   knows_base_ = !kept_.begin()->second.shear.base.empty();
 }
 
-Ground::Held Ground::held_of(const ReducedModelFile& file) const {
+ModelledGround::Held ModelledGround::held_of(const ReducedModelFile& file) const {
   return {wave_model(file, table_, certain_.section, certain_.water, place_).shear,
           file.nested ? std::make_shared<const NestedModels>(*file.nested) : nullptr};
 }
 
-const Ground::Held& Ground::held(const Soil& soil) {
+const ModelledGround::Held& ModelledGround::held(const Soil& soil) {
   const auto found = kept_.find(soil);
   if (found != kept_.end()) return found->second;
   if (kept_.size() >= most_kept) kept_.clear();
   return kept_[soil] = held_of(soils_->at(soils_->whole(soil)));
 }
 
-GroundPoint Ground::at(const GroundWave& asked) {
+GroundPoint ModelledGround::at(const GroundWave& asked) {
   Breakwater breakwater = certain_;
   breakwater.section = asked.section;
   const SeaState sea = sea_of(asked.wave);
@@ -147,7 +147,7 @@ GroundPoint Ground::at(const GroundWave& asked) {
   return out;
 }
 
-std::optional<double> Ground::error(const GroundWave& asked) {
+std::optional<double> ModelledGround::error(const GroundWave& asked) {
   const Held& soil = held(asked.soil);
   if (!soil.nested) return {};
   Breakwater breakwater = certain_;
@@ -182,7 +182,7 @@ void check_ground(DesignTables& tables, const Document& document, Diagnostics& r
   const Place place = document.place("dynamics.model");
   const std::filesystem::path file = std::filesystem::path(document.path()).parent_path() / tables.dynamics->model;
   try {
-    const Ground ground(tables, file.lexically_normal().string(), place);
+    const ModelledGround ground(tables, file.lexically_normal().string(), place);
     tables.dynamics->soil = ground.soil();
     check_soil_variables(tables, ground, document, report);
   } catch (const InputError& error) {

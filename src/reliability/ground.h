@@ -37,10 +37,10 @@ bool asks_for_ground(const DesignTables& tables);
 bool is_of_soil(const std::string& acts_on);
 
 /// Keeps the models of the soils that it was asked for last.
-class Ground {
+class ModelledGround {
  public:
   /// Reads the model of [dynamics]. Throws InputError with every mistake at `place`.
-  Ground(const DesignTables& tables, const std::string& file, const Place& place);
+  ModelledGround(const DesignTables& tables, const std::string& file, const Place& place);
   /// All keys of the box, with the values of [dynamics] soil, else of the model's case; empty for one soil.
   Soil soil() const { return soils_ ? soils_->whole(soil_) : Soil(); }
   /// The box; empty for one soil.

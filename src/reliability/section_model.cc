@@ -11,7 +11,7 @@ constexpr double least_height = 1e-3;
 
 }  // namespace
 
-SectionModel::SectionModel(const DesignTables& tables, std::shared_ptr<Ground> ground)
+SectionModel::SectionModel(const DesignTables& tables, std::shared_ptr<ModelledGround> ground)
     : tables_(tables), wave_(random_wave(tables)), ground_(std::move(ground)) {
   for (const RandomFactor& factor : random_factors) factors_.push_back(factor.certain);
   for (const auto& [name, variable] : tables_.reliability->variables) {

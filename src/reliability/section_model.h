@@ -32,7 +32,7 @@ struct SectionPoint {
 class SectionModel {
  public:
   /// `tables`: of a design that check_reliability() has accepted.
-  explicit SectionModel(const DesignTables& tables, std::shared_ptr<Ground> ground = nullptr);
+  explicit SectionModel(const DesignTables& tables, std::shared_ptr<ModelledGround> ground = nullptr);
   SectionModel(const SectionModel&) = delete;
   SectionModel& operator=(const SectionModel&) = delete;
   /// Throws std::invalid_argument where Goda's formulas do not accept x: a depth that is not above 0.
@@ -48,7 +48,7 @@ class SectionModel {
   std::vector<double> factors_;   ///< in the order of random_factors
   std::vector<double*> targets_;  ///< the number of each variable, in tables_ or factors_
   std::vector<double> certain_;
-  std::shared_ptr<Ground> ground_;
+  std::shared_ptr<ModelledGround> ground_;
   std::map<std::vector<double>, GroundPoint> answered_;
 };
 
