@@ -20,28 +20,32 @@ BACKWARD = tuple((-offset, -weight) for offset, weight in FORWARD)
 @dataclass
 class Gradient:
     """By key: value, d quantity/d ln(key) for keys whose soils are spread over their logarithm, else d quantity/d key.
-    error: the difference to the slope over twice the step; of an array, the largest. step: of ln(key), or of the key.
-    logarithmic: by key."""
+    error: that of the steps, and the quantity's own by the model, which may change by itself as ln(key) does by 1, or the
+    key over its range. of_steps: the difference to the slope over twice the step; of an array, the largest. step: of
+    ln(key), or of the key. logarithmic: by key."""
 
     value: dict[str, Any]
     error: dict[str, float]
+    of_steps: dict[str, float] = field(repr=False)
     step: dict[str, float] = field(repr=False)
     logarithmic: dict[str, bool] = field(repr=False)
 
 
-def gradient(box: Mapping[str, tuple[float, float, bool]], soil: Mapping[str, float], answer: Callable[[dict[str, float]], Any]) -> Gradient:
+def gradient(box: Mapping[str, tuple[float, float, bool]], soil: Mapping[str, float], answer: Callable[[dict[str, float]], Any],
+             known_to: float = 0.0) -> Gradient:
     """The Gradient at a soil that has all keys of the box, {key: (low, high, logarithmic)}; answer(soil): a number, or
-    an array."""
+    an array, which is known to a difference of `known_to`."""
     value: dict[str, Any] = {}
-    error: dict[str, float] = {}
+    of_steps: dict[str, float] = {}
     step: dict[str, float] = {}
     for key, axis in box.items():
 
         def along(at: float, key: str = key) -> Any:
             return answer({**soil, key: at})
 
-        value[key], error[key], step[key] = slope(axis, soil[key], along)
-    return Gradient(value, error, step, {key: bool(axis[2]) for key, axis in box.items()})
+        value[key], of_steps[key], step[key] = slope(axis, soil[key], along)
+    error = {key: of_steps[key] + known_to / (1.0 if logarithmic else high - low) for key, (low, high, logarithmic) in box.items()}
+    return Gradient(value, error, of_steps, step, {key: bool(axis[2]) for key, axis in box.items()})
 
 
 def slope(axis: tuple[float, float, bool], at: float, answer: Callable[[float], Any]) -> tuple[Any, float, float]:

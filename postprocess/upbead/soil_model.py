@@ -148,8 +148,9 @@ class SoilModel:
     def gradient(self, wave: Wave, soil: Soil, quantity: str | Callable[[SoilAnswer], Any]) -> Gradient:
         """The Gradient of a quantity: the name of a number of a wave's answer, or a function of the SoilAnswer that gives
         a number or an array of fixed length."""
-        whole = self.respond(wave, soil).soil
-        return gradient(self.box, whole, lambda at: number(self.respond(wave, at), quantity))
+        here = self.respond(wave, soil)
+        known_to = here.error * float(np.max(np.abs(number(here, quantity))))
+        return gradient(self.box, here.soil, lambda at: number(self.respond(wave, at), quantity), known_to)
 
     def servers_of(self, wave: Wave) -> Any:
         if self.pid != getpid():  # a fork: the children are the parent's

@@ -114,15 +114,18 @@ class Gradients(Case):
             for key in SOIL:
                 exact = (shear_in_time({**soil, key: soil[key] * np.exp(h)}, time)
                          - shear_in_time({**soil, key: soil[key] * np.exp(-h)}, time)) / (2 * h)
-                self.assertLess(np.abs(found.value[key] - exact).max(), found.error[key] + 1e-6 * np.abs(exact).max(), key)
+                self.assertLess(np.abs(found.value[key] - exact).max(), found.of_steps[key] + 1e-6 * np.abs(exact).max(), key)
             largest = np.abs(found.value[G]).max()
-            self.assertLess(found.error[G], 0.01 * largest)
+            self.assertLess(found.of_steps[G], 0.01 * largest)
             self.assertTrue(all(found.logarithmic.values()) and all(0 < step <= 0.1 for step in found.step.values()))
 
     def test_of_a_number_by_its_name(self):
         found = self.model().gradient(WAVE, SOIL, "peak_shear")
         self.assertIsInstance(found.value[G], float)
         self.assertNotEqual(found.value[G], 0.0)
+        here = self.model().respond(WAVE, SOIL)
+        self.assertGreater(here.error, 0.0)
+        self.assertAlmostEqual(found.error[G], found.of_steps[G] + here.error * here.peak_shear, 9)  # what the model itself errs by
         with self.assertRaisesRegex(upbead.UserError, "'sliding' is no number"):
             self.model().gradient(WAVE, SOIL, "sliding")
 
