@@ -60,7 +60,12 @@ int work(const Study& study, const Pieces& pieces, const Share& share, const Stu
     failed.message = why;
     Journal(options.out, study, pool.next_name()).add(run, failed);
   };
-  const int code = pool.work(meanwhile, give_up);
+  const auto has_written = [&](int run) {
+    const JournalsRead read = read_journals(options.out, study, share.journal());
+    const std::optional<RunResult>& result = read.results[static_cast<std::size_t>(run)];
+    return result && result->done;
+  };
+  const int code = pool.work({meanwhile, give_up, has_written});
   account.lost = pool.lost();
   if (account.lost > 0) Journal(options.out, study, pool.next_name()).add_lost(account.lost);
   return code;

@@ -148,7 +148,7 @@ bool LocalPool::take_answer(Process& process) {
 }
 
 /// Takes leave of a process that has ended: with its work, or in the middle of it.
-void LocalPool::bury(Process& process, const std::function<void(int, const std::string&)>& give_up) {
+void LocalPool::bury(Process& process, const Beside& beside) {
   int status = 0;
   waitpid(process.id, &status, 0);
   close(process.socket);
@@ -163,10 +163,14 @@ void LocalPool::bury(Process& process, const std::function<void(int, const std::
   const int run = left.front();
   const std::string how = "by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
   std::deque<int> again = left;
-  if (++deaths_[run] < most_deaths) {
+  if (beside.has_written(run)) {
+    std::cerr << "upbead: the process of run " << run << " was ended " << how << " once it had written that run\n";
+    ++done_;
+    again.pop_front();
+  } else if (++deaths_[run] < most_deaths) {
     std::cerr << "upbead: the process of run " << run << " was ended " << how << "; another one does that run again\n";
   } else {
-    give_up(run, "its process was ended twice, " + how + ", as where memory runs out: run it alone");
+    beside.give_up(run, "its process was ended twice, " + how + ", as where memory runs out: run it alone");
     ++done_;
     ++failed_;
     again.pop_front();
@@ -175,15 +179,14 @@ void LocalPool::bury(Process& process, const std::function<void(int, const std::
   if (!pieces_.empty()) start_process();
 }
 
-int LocalPool::work(const std::function<void()>& meanwhile,
-                    const std::function<void(int run, const std::string& why)>& give_up) {
+int LocalPool::work(const Beside& beside) {
   while (!processes_.empty() && exit_code_ == 0) {
     std::vector<pollfd> sockets;
     for (const Process& process : processes_) sockets.push_back({process.socket, POLLIN, 0});
     poll(sockets.data(), sockets.size(), milliseconds_between);
     for (std::size_t i = sockets.size(); i-- > 0;)  // backwards, as those that have ended are erased
-      if (sockets[i].revents != 0 && !take_answer(processes_[i])) bury(processes_[i], give_up);
-    meanwhile();
+      if (sockets[i].revents != 0 && !take_answer(processes_[i])) bury(processes_[i], beside);
+    beside.meanwhile();
   }
   return exit_code_;
 }

@@ -35,9 +35,15 @@ class LocalPool {
   LocalPool(const LocalPool&) = delete;
   LocalPool& operator=(const LocalPool&) = delete;
 
-  /// Works until all is done. `meanwhile` is called some times a second; `give_up` gets a run that is not tried again,
-  /// and why. Returns 0, or the exit code with which a worker has ended, after a message of its own.
-  int work(const std::function<void()>& meanwhile, const std::function<void(int run, const std::string& why)>& give_up);
+  /// What is done beside the work: `meanwhile` some times a second, `give_up` of a run that is not tried again, and
+  /// why; `has_written`: whether a process that was ended had written the whole result of its run.
+  struct Beside {
+    std::function<void()> meanwhile;
+    std::function<void(int run, const std::string& why)> give_up;
+    std::function<bool(int run)> has_written;
+  };
+  /// Works until all is done. Returns 0, or the exit code with which a worker has ended, after a message of its own.
+  int work(const Beside& beside);
 
   int done() const { return done_; }
   int failed() const { return failed_; }
@@ -56,7 +62,7 @@ class LocalPool {
   void start_process();
   void hand_out(Process& process);
   bool take_answer(Process& process);
-  void bury(Process& process, const std::function<void(int, const std::string&)>& give_up);
+  void bury(Process& process, const Beside& beside);
 
   std::string name_;
   std::deque<std::deque<int>> pieces_;  ///< that no process has

@@ -115,8 +115,16 @@ class Parts(PartsTest):
         os.kill(self.processes_of(process)[0], signal.SIGKILL)
         text, errors = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 0, errors)
-        self.assertIn("another one does that run again", errors)
+        self.assertRegex(errors, "another one does that run again|once it had written that run")
         self.assertEqual(json.loads(text)["lost_processes"], 1)
+        self.part("2/2")
+        self.assertEqual(self.expect_whole()["lost_processes"], 1)
+
+    @unittest.skipIf(SANITIZED, "a sanitizer must be loaded before any other library")
+    def test_a_worker_killed_once_it_has_written_its_run_costs_nothing(self):
+        (self.folder / "study.toml").write_text(RANDOM.format(n=12))
+        told = self.part("1/2", env={**os.environ, "LD_PRELOAD": preloaded(self.folder), "DISK": "ends"})
+        self.assertIn("once it had written that run", told.stderr)
         self.part("2/2")
         self.assertEqual(self.expect_whole()["lost_processes"], 1)
 

@@ -51,11 +51,13 @@ cov = 0.3
 """
 
 
-# A disk on which writing to a journal takes long, that is full in the middle of its third line, or has no hard links;
-# locks of a file system may hang
+# A disk on which writing to a journal takes long, that is full in the middle of its third line, or has no hard links; locks of a file system may
+# hang; or the first process that has written the line of a run ends before it can say so
 DISK = """#define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -73,7 +75,9 @@ ssize_t write(int fd, const void* bytes, size_t n) {
   if (is_line && is("slow")) usleep(150000);
   if (is("full") && lines >= 3) { errno = ENOSPC; return -1; }
   if (is_line && is("full") && ++lines == 3) n /= 2;
-  return real(fd, bytes, n);
+  ssize_t written = real(fd, bytes, n);
+  if (is_line && is("ends") && open("ended", O_CREAT | O_EXCL, 0600) >= 0) kill(getpid(), SIGKILL);
+  return written;
 }
 """
 
