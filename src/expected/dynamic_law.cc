@@ -117,7 +117,8 @@ DynamicWave DynamicLaw::wave(double height, const WaveFactors& factors) const {
   sample(*answer_, out);
   answer(*answer_, assumptions_, section, out);
   for (std::size_t i = 0; i < out.force.size(); ++i) out.time.push_back(static_cast<double>(i) * answer_->step());
-  out.sliding = slide_under(out, section);
+  // where still water lifts the caisson, nothing holds it
+  out.sliding = resistance(section) < 0. ? std::numeric_limits<double>::infinity() : slide_under(out, section);
   return out;
 }
 

@@ -40,6 +40,7 @@ struct ModeAnswer {
   std::optional<double> spread;        ///< largest difference of beta between two methods
   std::string disagreement;            ///< of two methods by more than 0.1 in beta; "" where they agree
   std::vector<DesignValue> point;      ///< empty where none was found
+  bool by_ground = false;              ///< its design point has been asked of a reduced model
   std::optional<double> ground_error;  ///< estimate for F_T there, over its peak; none where the ground is not asked
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "base/interrupt.h"
@@ -88,6 +89,7 @@ std::vector<DesignValue> values_at(const Work& work, const DesignPoint& point) {
 /// What is told of a mode's design point.
 void add_point(const Work& work, const DesignPoint& point, bool by_ground, ModeAnswer& mode) {
   mode.point = values_at(work, point);
+  mode.by_ground = by_ground;
   if (by_ground) mode.ground_error = work.ground->error(work.model->at(work.space.physical(point.u)).wave);
 }
 
@@ -134,7 +136,9 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
   mode.is_system = true;
   const CutSets sets = tree.cut_sets();
   bool by_ground = false;
+  std::set<std::size_t> in_tree;  // others are not asked: each may need a soil's answer
   for (const auto& set : sets) {
+    in_tree.insert(set.begin(), set.end());
     std::string all;
     for (const std::size_t i : set) {
       all += (all.empty() ? "" : " and ") + states[i].name;
@@ -144,10 +148,10 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
     mode.meaning += (mode.meaning.empty() ? "" : ", or ") + all;
   }
   if (!mode.why_not.empty()) return mode;
-  const Margin margin = [model = work.model, space = work.space, tree, states](const std::vector<double>& u) {
+  const Margin margin = [model = work.model, space = work.space, tree, states, in_tree](const std::vector<double>& u) {
     const SectionPoint at = model->at(space.physical(u));
-    std::vector<double> margins;
-    for (const SectionLimitState& state : states) margins.push_back(state.margin ? state.margin(at) : 1.);
+    std::vector<double> margins(states.size(), 1.);
+    for (const std::size_t i : in_tree) margins[i] = states[i].margin(at);
     return tree.margin(margins);
   };
   const std::vector<DesignPoint> points = design_points(found, sets);

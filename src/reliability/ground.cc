@@ -124,25 +124,35 @@ const ModelledGround::Held& ModelledGround::held(const Soil& soil) {
   return kept_[soil] = held_of(soils_->at(soils_->whole(soil)));
 }
 
-GroundPoint ModelledGround::at(const GroundWave& asked) {
+Breakwater ModelledGround::breakwater_of(const GroundWave& asked) const {
   Breakwater breakwater = certain_;
   breakwater.section = asked.section;
+  breakwater.water = asked.water;
+  return breakwater;
+}
+
+double ModelledGround::step_of(const Breakwater& breakwater, const GroundWave& asked) const {
+  return table_.step.value_or(impact_of(WaveForces(breakwater, sea_of(asked.wave)), impact_, asked).rise /
+                              steps_of_a_rise);
+}
+
+GroundPoint ModelledGround::at(const GroundWave& asked) {
+  const Breakwater breakwater = breakwater_of(asked);
   const SeaState sea = sea_of(asked.wave);
   // a part of each wave's own rise, so that its peak is a sample: else it would move with the rise from sample to
   // sample
-  const double step =
-      table_.step.value_or(impact_of(WaveForces(breakwater, sea), impact_, asked).rise / steps_of_a_rise);
+  const double step = step_of(breakwater, asked);
   const DynamicLaw law(breakwater, sea, impact_, std::make_shared<const ShearAnswer>(held(asked.soil).shear, step, 0.));
   const DynamicWave wave = law.wave(asked.wave.height, asked.factors);
   const Section& s = asked.section;
   const StillWater& still = law.forces()->still();
   History force{wave.time, wave.sliding_force};
-  for (double& F : force.value) F += still.push;
+  const double push = std::max(still.push, 0.);  // counted where it acts with the wave, as by formulas
+  for (double& F : force.value) F += push;
   GroundPoint out;
   out.resistance = s.friction * (s.submerged_weight + still.weight);
   out.force = smooth_peak(force.value);
-  if (asked.sliding)
-    out.holding = resistance_of(*asked.sliding, s.weight / breakwater.water.gravity, force, still.push);
+  if (asked.sliding) out.holding = resistance_of(*asked.sliding, s.weight / breakwater.water.gravity, force, push);
   out.base = law.base(asked.wave.height, asked.factors);
   return out;
 }
@@ -150,10 +160,8 @@ GroundPoint ModelledGround::at(const GroundWave& asked) {
 std::optional<double> ModelledGround::error(const GroundWave& asked) {
   const Held& soil = held(asked.soil);
   if (!soil.nested) return {};
-  Breakwater breakwater = certain_;
-  breakwater.section = asked.section;
-  const WaveForces forces(breakwater, sea_of(asked.wave));
-  const double step = impact_of(forces, impact_, asked).rise / steps_of_a_rise;
+  const Breakwater breakwater = breakwater_of(asked);
+  const double step = step_of(breakwater, asked);
   const auto answer = [&](const ModalModel& modes) {
     ShearModel model = soil.shear;
     model.modes = modes;

@@ -16,6 +16,7 @@ namespace upbead {
 /// One wave on one soil.
 struct GroundWave {
   Section section;  ///< at its water level, with the factors of mu and W
+  Water water;
   DesignWave wave;
   WaveFactors factors;            ///< of P and U
   Soil soil;                      ///< all keys of the model's box; empty where it has one soil
@@ -61,6 +62,9 @@ class ModelledGround {
     std::shared_ptr<const NestedModels> nested;
   };
   const Held& held(const Soil& soil);
+  Breakwater breakwater_of(const GroundWave& asked) const;
+  /// Of samples in time (s).
+  double step_of(const Breakwater& breakwater, const GroundWave& asked) const;
   Held held_of(const ReducedModelFile& file) const;
 
   DynamicsTable table_;

@@ -35,7 +35,10 @@ class MarginEvaluation : public OT::EvaluationImplementation {
   OT::UnsignedInteger getInputDimension() const override { return size_; }
   OT::UnsignedInteger getOutputDimension() const override { return 1; }
   OT::Bool isParallel() const override { return false; }
-  OT::Point operator()(const OT::Point& u) const override { return OT::Point(1, margin_(vector_of(u))); }
+  OT::Point operator()(const OT::Point& u) const override {
+    check_interrupt();
+    return OT::Point(1, margin_(vector_of(u)));
+  }
   OT::Sample operator()(const OT::Sample& u) const override {
     check_interrupt();
     OT::Sample out(u.getSize(), 1);

@@ -58,6 +58,30 @@ NumberedWarnings disagreements(const ReliabilityAnswer& answer) {
            "look at which methods agree, take more samples, or let \"plain\" judge where failure is not too rare"}};
 }
 
+constexpr double most_ground_error = 0.02;  // of F_T, as beta then moves by about as much of its resistance
+
+/// Design points at which F_T of the reduced model may be wrong, or nobody knows by how much.
+NumberedWarnings ground_errors(const ReliabilityAnswer& answer) {
+  NumberedWarnings list;
+  std::vector<std::string> unknown;
+  const ModeAnswer* worst = nullptr;
+  for (const ModeAnswer& mode : answer.modes) {
+    if (mode.by_ground && !mode.ground_error) unknown.push_back(mode.name);
+    if (mode.ground_error && (worst == nullptr || *mode.ground_error > *worst->ground_error)) worst = &mode;
+  }
+  if (worst != nullptr && *worst->ground_error > most_ground_error)
+    list.push_back(
+        {"reduced_model_error", *worst->ground_error, most_ground_error, "1",
+         worst->name + ": at its design point F_T of the model of [dynamics] may be wrong by up to " +
+             significant(100. * *worst->ground_error, 2) + " %",
+         "make the model with a smaller [accuracy] tolerance, or march that soil and wave with 'upbead run'"});
+  if (!unknown.empty())
+    list.push_back({"no_error_estimate", 0., most_ground_error, "1",
+                    join(unknown) + ": the model of [dynamics] holds nothing from which the error of F_T follows",
+                    "make the model again with 'upbead reduce'"});
+  return list;
+}
+
 NumberedWarnings left_out(const ReliabilityAnswer& answer) {
   if (answer.left_out.empty()) return {};
   std::string why;
@@ -114,6 +138,7 @@ NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answ
   append(list, left_out(answer));
   append(list, few_samples(answer));
   append(list, disagreements(answer));
+  append(list, ground_errors(answer));
   return list;
 }
 

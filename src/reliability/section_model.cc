@@ -54,7 +54,7 @@ SectionPoint SectionModel::at(const std::vector<double>& x) {
 /// All limit states and methods ask for the same points, whose answers are kept.
 void SectionModel::ask_ground(const std::vector<double>& x, double uplift, const DesignWave& wave, SectionPoint& out) {
   constexpr std::size_t most_answers = 1000000;
-  out.wave = {out.section, wave, {out.force_factor, uplift}, tables_.dynamics->soil, out.limits.sliding};
+  out.wave = {out.section, tables_.water, wave, {out.force_factor, uplift}, tables_.dynamics->soil, out.limits.sliding};
   if (out.wave.sliding) *out.wave.sliding /= std::max(out.sliding_factor, 1e-12);
   out.ground = [this, x, asked = out.wave]() -> const GroundPoint& {
     const auto found = answered_.find(x);

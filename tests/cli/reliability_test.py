@@ -260,6 +260,19 @@ class OnRandomSoil(ProgramTest):
                       "--buoyant-weight", 3.7e6 - wave["uplift"], "--json", cwd=self.folder)
         self.assertAlmostEqual(json.loads(done.stdout)["waves"][0]["sliding"], 0.05, delta=2e-4)
 
+    def test_the_density_of_the_water_reaches_f_t(self):
+        density = '[reliability.variables.rho]\nacts_on = "fluid.density"\ndistribution = "normal"\ncov = 0.05\n'
+        modes = self.modes(ON_SAND + density, "--set", 'reliability.methods=["form"]')
+        formulas, dynamic = (modes[name]["design_point"]["rho"]["importance"] for name in ("sliding", "sliding_dynamic"))
+        self.assertGreater(formulas, 0.05)
+        self.assertGreater(dynamic, 0.05)
+
+    def test_friction_below_zero_ends_nothing(self):
+        wide = ON_SAND.replace('"lognormal"\ncov = 0.16', '"normal"\ncov = 0.3')
+        modes = self.modes(wide, "--set", 'reliability.methods=["plain"]', "--set", "reliability.plain_samples=4000")
+        sliding = modes["sliding_dynamic"]["methods"]["plain"]
+        self.assertGreater(sliding["probability"], 0.0)
+
     def test_a_soil_without_spread_is_a_certain_soil(self):
         form = ["--set", 'reliability.methods=["form"]']
         certain = self.modes(ON_SAND.replace('"soils.h5"', f'"soils.h5"\nsoil = {{ "{G}" = 4e7 }}'), *form)

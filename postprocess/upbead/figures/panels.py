@@ -28,7 +28,7 @@ def drawn(plot: Plot, title: str = "") -> Any:
             row.set_ylim(low, high)
     rows[-1].set_xlabel(f"{plot.axis[0]} ({plot.axis[1]})")
     rows[0].set_xlim(plot.window or plot.extent())
-    rows[0].set_title(title, pad=name_lines(rows))
+    rows[0].set_title(title, pad=name_lines(rows, plot.panels))
     figure.align_ylabels()
     return figure
 
@@ -46,9 +46,10 @@ def draw_panel(axes: Any, panel: Any, factor: float, unit: str) -> None:
     axes.yaxis.set_major_formatter(lambda value, _: number(value))
 
 
-def name_lines(rows: list[Any]) -> float:
-    """A legend of lines that share a panel; above all panels where several have one. Returns the room for it below a title (pt)."""
-    several = [row for row in rows if len(names_in(row)) > 1]
+def name_lines(rows: list[Any], panels: list[Any]) -> float:
+    """A legend of lines that share a panel, or whose panel is called by something else; above all panels where several have one. Returns the
+    room for it below a title (pt)."""
+    several = [row for row, panel in zip(rows, panels) if len(names_in(row)) > (0 if panel.title else 1)]
     if len(several) == 1:
         several[0].legend(fontsize=7.5, loc="upper right")
     if len(several) < 2:
