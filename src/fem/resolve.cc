@@ -117,6 +117,10 @@ void find_air(const Mesh& mesh, double level, ResolvedScene& resolved) {
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const Region& region = scene.regions.at(mesh.surface_of(cell));
     if (!region.air_by_depth) continue;
+    if (!std::isfinite(level))
+      throw InputError(at_key("regions." + mesh.surface_of(cell) + ".air_by_depth"),
+                       "the level of still water is not known, so that no cell has a depth",
+                       "give [initial] water_level");
     modulus.resize(mesh.triangulation.n_active_cells(), 0.);
     modulus[cell->active_cell_index()] =
         pore_fluid_modulus(scene.fluid, region.saturation, absolute_pressure(scene, level, cell->center()[1]));

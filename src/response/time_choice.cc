@@ -123,8 +123,11 @@ class PeriodFinder {
   /// Added mass of the water: its force at x' = s x over -x'' = -s^2 x.
   double added_mass(const Vector& solution, double s, double x) const {
     double force = 0.;
-    for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
+    const Reading& water = system_.readings[system_.reading(reading::water_force)];
+    for (const auto& [i, weight] : water.velocity)
       if (i < solution.size()) force += weight * s * solution[i];
+    for (const auto& [i, weight] : water.acceleration)
+      if (i < solution.size()) force += weight * s * s * solution[i];
     return -layout_.sum(force) / (s * s * x);
   }
 
