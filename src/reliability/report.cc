@@ -58,7 +58,7 @@ NumberedWarnings disagreements(const ReliabilityAnswer& answer) {
            "look at which methods agree, take more samples, or let \"plain\" judge where failure is not too rare"}};
 }
 
-constexpr double most_ground_error = 0.02;  // of F_T, as beta then moves by about as much of its resistance
+constexpr double most_ground_error = 0.02;  // of F_T: the margin against sliding is wrong by about as much
 
 /// Design points at which F_T of the reduced model may be wrong, or nobody knows by how much.
 NumberedWarnings ground_errors(const ReliabilityAnswer& answer) {

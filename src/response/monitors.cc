@@ -26,6 +26,12 @@ Eigen::MatrixXd values(const SparseMatrix& rows, const FieldBasis& basis, const 
 /// States at so many times are looked at together: memory for cells x 500 numbers, however long the history is.
 constexpr std::size_t at_once = 500;
 
+/// At most so many of a list, from its element `first` on.
+std::vector<Eigen::Index> part_of(const std::vector<Eigen::Index>& list, std::size_t first, std::size_t most) {
+  return {list.begin() + static_cast<std::ptrdiff_t>(first),
+          list.begin() + static_cast<std::ptrdiff_t>(std::min(first + most, list.size()))};
+}
+
 }  // namespace
 
 MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest) {
@@ -172,9 +178,7 @@ void Mobilisation::see(const StateModel& model, const SampledLoads& loads, doubl
   const CoordinateSeries series = respond_in_coordinates(model.model, loads);
   const std::vector<Eigen::Index> looks = looks_at(series.time, duration);
   for (std::size_t first = 0; first < looks.size(); first += at_once) {
-    const std::vector<Eigen::Index> some(
-        looks.begin() + static_cast<std::ptrdiff_t>(first),
-        looks.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, looks.size())));
+    const std::vector<Eigen::Index> some = part_of(looks, first, at_once);
     const MiddleStrains::Series strains = strains_.at(model.displacements, series.position(Eigen::all, some));
     for (std::size_t i = 0; i < some.size(); ++i)
       for (std::size_t c = 0; c < cells_.size(); ++c) {
@@ -269,9 +273,7 @@ void LeastPressure::see(const PressureModel& model, const SampledLoads& loads, d
   const Eigen::MatrixXd rows = rows_of_basis(rows_, model.basis);
   constexpr std::size_t together = 16;  // so that what is looked at stays in the cache
   for (std::size_t first = 0; first < looks.size(); first += together) {
-    const std::vector<Eigen::Index> some(
-        looks.begin() + static_cast<std::ptrdiff_t>(first),
-        looks.begin() + static_cast<std::ptrdiff_t>(std::min(first + together, looks.size())));
+    const std::vector<Eigen::Index> some = part_of(looks, first, together);
     const Eigen::MatrixXd excess = product(rows, series.reading(Eigen::all, some).eval());
     for (std::size_t i = 0; i < some.size(); ++i)
       take(excess.col(static_cast<Eigen::Index>(i)), series.time[static_cast<std::size_t>(some[i])]);

@@ -7,8 +7,6 @@ A column under a pressure that rises and falls as a sine, without inertia: with 
 water is (S(y) + 1/M) i w p - i w p_0/M = k/(rho g) p'', S(y) = n (S_r/K_w + (1 - S_r)/(p_a + rho g (level - y))). It is solved here by differences.
 """
 
-import json
-
 import h5py
 import numpy as np
 import scipy.linalg
@@ -82,10 +80,7 @@ class Air(ProgramTest):
         (self.folder / "case.toml").write_text(CASE)
 
     def told(self, *keys):
-        words = [word for key in keys for word in ("--set", key)]
-        done = upbead("run", "case.toml", *words, "--json", "--out", "out", cwd=self.folder)
-        self.assertIn(done.returncode, (0, 3), done.stderr)
-        return json.loads(done.stdout)
+        return self.json_of("run", "case.toml", *keys)
 
     def amplitudes(self, *keys):
         """Complex, of p_0 sin(w t), from the last five periods."""

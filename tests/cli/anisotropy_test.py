@@ -12,7 +12,7 @@ import json
 import h5py
 import numpy as np
 
-from program import CASES, ProgramTest, main, upbead
+from program import CASES, ProgramTest, main, upbead, with_keys
 
 COLUMN = """
 gravity = 10.0
@@ -104,7 +104,7 @@ class Anisotropy(ProgramTest):
     def test_models_for_soils_keep_the_ratio_and_refuse_another(self):
         case, csv = CASES / "fig2b-prototype.toml", CASES / "fig2b-prototype-impulse.csv"
         keys = ["mesh.parameters.cells=0.5", "regions.seabed.conductivity_ratio=0.1", "time.end=1.0"]
-        words = [word for key in keys for word in ("--set", key)]
+        words = with_keys(keys)
         box = '[vary."regions.seabed.hydraulic_conductivity"]\ndistribution = "log_uniform"\nlow = 2e-5\nhigh = 1e-3\n'
         (self.folder / "box.toml").write_text(box)
         done = upbead("reduce", case, *words, "--soils", "box.toml", "--out", "model", cwd=self.folder)

@@ -14,7 +14,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import CASES, ProgramTest, upbead
+from program import CASES, ProgramTest, upbead, with_keys
 
 CASE = CASES / "fig2b-prototype.toml"
 COARSE = ["--set", "mesh.parameters.cells=0.5"]
@@ -172,7 +172,7 @@ class Undamped(ProgramTest):
     def ground(E, **section):
         sets = [f"regions.soil.shear_modulus={E / 2.4}"]
         sets += [f"mesh.parameters.{name}={value}" for name, value in section.items()]
-        return [word for item in sets for word in ("--set", item)]
+        return with_keys(sets)
 
     def test_the_stiffer_the_ground_the_nearer_is_s_to_that_on_rock(self):
         # Eq. (4) with F_T(t) of the bonded block includes the sway of the ground. The remaining error: loads that are

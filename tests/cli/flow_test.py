@@ -8,7 +8,7 @@ usage: flow_test.py PROGRAM CASES_FOLDER
 import json
 import unittest
 
-from program import CASES, ProgramTest, upbead
+from program import CASES, ProgramTest, upbead, with_keys
 
 BORE = CASES / "cfd/bore.toml"
 AXES = ["--set", "landward=x", "--set", "up=z", "--set", "origin=[-3.2, 0.0]", "--set", "still_time=[0.0, 0.3]"]
@@ -21,7 +21,7 @@ class Flow(ProgramTest):
         return done.stdout if code == 0 else done.stderr
 
     def solve(self, *settings):
-        words = [word for setting in ("mesh.parameters.cells=0.3", *settings) for word in ("--set", setting)]
+        words = with_keys(["mesh.parameters.cells=0.3", *settings])
         return json.loads(self.ask("run", BORE, "--json", "--out", self.folder / "out", *words))
 
     def test_forces_and_patch_of_one_flow_give_the_same_shear_force(self):

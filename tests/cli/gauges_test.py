@@ -8,7 +8,6 @@ import gzip
 import json
 import math
 import re
-import sys
 import time
 
 import h5py

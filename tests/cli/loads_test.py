@@ -9,7 +9,7 @@ import json
 import math
 import shutil
 
-from program import CASES, ProgramTest, main, upbead
+from program import CASES, ProgramTest, main, upbead, with_keys
 
 RHO_G = 1030.0 * 9.81
 SECTION = CASES / "design-wave/section.toml"
@@ -23,7 +23,7 @@ class Loads(ProgramTest):
         return json.loads(done.stdout)
 
     def settings(self, *settings):
-        return [word for setting in settings for word in ("--set", setting)]
+        return with_keys(settings)
 
     def waves(self, *settings):
         return self.told("waves", SECTION, "--json", *self.settings(*settings))

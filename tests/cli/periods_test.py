@@ -4,10 +4,9 @@
 usage: periods_test.py PROGRAM CASES_FOLDER
 """
 
-import json
 import shutil
 
-from program import CASES, ProgramTest, main, upbead
+from program import CASES, ProgramTest, main
 
 COARSE = ["mesh.parameters.cells=0.4"]
 MARCHED = ['time.scheme="sdirk4"', "output.periods=true"]
@@ -18,12 +17,6 @@ class Periods(ProgramTest):
         super().setUp()
         for path in CASES.glob("fig2b-*"):
             shutil.copy(path, self.folder)
-
-    def told(self, case, *keys):
-        words = [word for key in keys for word in ("--set", key)]
-        done = upbead("run", case, *words, "--json", "--out", "out", cwd=self.folder)
-        self.assertIn(done.returncode, (0, 3), done.stderr)
-        return json.loads(done.stdout)
 
     def compare(self, found, wanted, tolerance=1e-6):
         """All of them, in their order."""
@@ -38,16 +31,16 @@ class Periods(ProgramTest):
     def test_marches_have_the_periods_of_the_reduced_run(self):
         for case in ("fig2b-prototype.toml", "fig2b-model.toml"):
             with self.subTest(case):
-                self.compare(self.told(case, *COARSE, *MARCHED), self.told(case, *COARSE, 'time.scheme="reduced"'))
+                self.compare(self.json_of("run", case, *COARSE, *MARCHED), self.json_of("run", case, *COARSE, 'time.scheme="reduced"'))
 
     def test_soil_that_yields_has_those_of_the_ground_before(self):
         short = [*COARSE, "time.end=0.4"]
-        wanted = self.told("fig2b-prototype.toml", *short, 'time.scheme="reduced"')
+        wanted = self.json_of("run", "fig2b-prototype.toml", *short, 'time.scheme="reduced"')
         yields = ['regions.seabed.law="hysteretic"', "regions.seabed.strain={reference_strain=5e-4}", "output.periods=true"]
-        self.compare(self.told("fig2b-prototype.toml", *short, *yields), wanted)
+        self.compare(self.json_of("run", "fig2b-prototype.toml", *short, *yields), wanted)
 
     def test_without_the_key_a_march_tells_how(self):
-        summary = self.told("fig2b-prototype.toml", *COARSE, MARCHED[0])
+        summary = self.json_of("run", "fig2b-prototype.toml", *COARSE, MARCHED[0])
         self.assertEqual(summary["periods"], [])
         self.assertIn("output.periods = true", summary["no_periods"])
 

@@ -15,7 +15,7 @@ import time
 import h5py
 import numpy as np
 
-from program import CASES, PROGRAM, ProgramTest, main, upbead
+from program import CASES, PROGRAM, ProgramTest, main, upbead, with_keys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
 from report import vtu  # noqa: E402
@@ -62,10 +62,6 @@ def launched(n, *arguments, by=()):
 
 def mpirun(n, *arguments, cwd, by=()):
     return subprocess.run(launched(n, *arguments, by=by), cwd=cwd, capture_output=True, text=True, timeout=300)
-
-
-def with_keys(keys):
-    return [word for key in keys for word in ("--set", key)]
 
 
 class Processes(ProgramTest):
@@ -218,10 +214,12 @@ class Processes(ProgramTest):
         alone = self.run_on(1, *keys)
         for n in (2, 3):
             both = self.run_on(n, *keys)
-            for key, value in alone["response"]["error_estimate_parts"].items() if "error_estimate_parts" in alone[
-                    "response"] else []:
-                self.assertAlmostEqual(both["response"]["error_estimate_parts"][key], value, delta=1e-6)
-            self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
+            for key in ("error_sources", "history_error_sources"):
+                self.assertEqual(both["response"][key].keys(), alone["response"][key].keys())
+                for part, value in alone["response"][key].items():
+                    self.assertAlmostEqual(both["response"][key][part], value, delta=1e-6)
+            for key in ("error_estimate", "history_error_estimate"):
+                self.assertAlmostEqual(both["response"][key] / alone["response"][key], 1, delta=1e-6)
             self.expect_same_history(n)
 
     def interrupted(self, n, *keys):

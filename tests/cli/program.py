@@ -5,6 +5,7 @@ A script that uses this is called as: SCRIPT PROGRAM CASES_FOLDER [at_length]
 Tests with at_length in their names take so long that only `ctest -C long` runs them, by that word as the last argument.
 """
 
+import json
 import pathlib
 import shutil
 import subprocess
@@ -19,6 +20,11 @@ AT_LENGTH = sys.argv[3:] == ["at_length"]
 
 def upbead(*arguments, cwd=None, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+
+
+def with_keys(keys):
+    """KEY=VALUE ... as words of a command line."""
+    return [word for key in keys for word in ("--set", key)]
 
 
 def wait_until_it_catches(signal, process):
@@ -37,6 +43,12 @@ class ProgramTest(unittest.TestCase):
             self.skipTest("only with ctest -C long")
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def json_of(self, command, case, *keys):
+        """What a command tells of a case with those keys; its checks may fail."""
+        done = upbead(command, case, *with_keys(keys), "--json", "--out", "out", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 3), done.stderr)
+        return json.loads(done.stdout)
 
     def left_behind(self):
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))

@@ -4,7 +4,7 @@ import json
 import tomllib
 import unittest
 
-from program import CASES, ProgramTest, upbead
+from program import CASES, ProgramTest, upbead, with_keys
 
 RHO_G = 1030.0 * 9.81
 SECTIONS = ["designer/section.toml"] + sorted(
@@ -16,8 +16,7 @@ SECTIONS = ["designer/section.toml"] + sorted(
 
 class Sections(ProgramTest):
     def solve(self, command, case, *settings):
-        words = [word for setting in settings for word in ("--set", setting)]
-        done = upbead(command, CASES / case, "--out", "out", *words, cwd=self.folder)
+        done = upbead(command, CASES / case, "--out", "out", *with_keys(settings), cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads((self.folder / "out/summary.json").read_text())
 

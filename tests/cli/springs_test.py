@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 import scipy.linalg
 
-from program import CASES, ProgramTest, main, upbead
+from program import CASES, ProgramTest, main, upbead, with_keys
 
 sys.path.insert(0, str(CASES.parent / "postprocess"))
 
@@ -98,14 +98,10 @@ class Springs(ProgramTest):
         (self.folder / "push.csv").write_text(PUSH)
 
     def told(self, command, *keys, case="case.toml"):
-        words = [word for key in keys for word in ("--set", key)]
-        done = upbead(command, case, *words, "--json", "--out", "out", cwd=self.folder)
-        self.assertIn(done.returncode, (0, 3), done.stderr)
-        return json.loads(done.stdout)
+        return self.json_of(command, case, *keys)
 
     def refused(self, *keys, case="case.toml", command="run"):
-        words = [word for key in keys for word in ("--set", key)]
-        done = upbead(command, case, *words, cwd=self.folder)
+        done = upbead(command, case, *with_keys(keys), cwd=self.folder)
         self.assertEqual(done.returncode, 1, done.stdout)
         return " ".join(done.stderr.split())
 

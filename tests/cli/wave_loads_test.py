@@ -6,7 +6,6 @@ usage: wave_loads_test.py PROGRAM CASES_FOLDER
 
 import json
 import re
-import sys
 import tomllib
 
 import h5py
