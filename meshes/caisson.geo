@@ -12,6 +12,8 @@
 DefineConstant[
   caisson_width = 18,   // m: width of the caisson
   caisson_height = 16,  // m: height of the caisson
+  parapet_width = 0,    // m: width of a parapet on its top, from its seaward wall, which goes on up; 0: none
+  parapet_height = 0,   // m: height of the parapet above the caisson; 0: none
   water_depth = 9,      // m: depth of the still water above the base; matters where there is a sea
   sea_front = 0,        // -: length of the sea in front of the caisson, over its depth; 0: none
   sea_back = 0,         // -: length of the sea behind the caisson, over its depth; 0: none
@@ -44,6 +46,17 @@ name = "sea_front"; value = sea_front;
 Call MustBeALength;
 name = "sea_back"; value = sea_back;
 Call MustBeALength;
+has_parapet = parapet_width > 0 && parapet_height > 0;
+is_wide = parapet_width >= (1 - 1e-9) * caisson_width;
+If (!has_parapet && parapet_width != 0 || !has_parapet && parapet_height != 0)
+  Error("parapet_width is %g and parapet_height %g; give both, or none", parapet_width, parapet_height);
+  mistakes = 1;
+EndIf
+If (parapet_width > (1 + 1e-9) * caisson_width)
+  Error("parapet_width is %g; it must be at most caisson_width (%g): beyond it a parapet hangs in the air", parapet_width,
+        caisson_width);
+  mistakes = 1;
+EndIf
 has_sea = sea_front > 0 || sea_back > 0;
 If (has_sea && !(water_depth > 0 && water_depth < caisson_height))
   Error("water_depth is %g; a sea must be deeper than 0 (the base) and shallower than %g (the caisson's top)",
@@ -84,22 +97,77 @@ Point(3) = {half, wet, 0};
 Point(4) = {-half, wet, 0};
 Point(5) = {half, caisson_height, 0};
 Point(6) = {-half, caisson_height, 0};
-Line(1) = {1, 2};
 Line(2) = {2, 3};
-Line(3) = {4, 3};
 Line(4) = {1, 4};
 Line(5) = {3, 5};
-Line(6) = {6, 5};
 Line(7) = {4, 6};
-Transfinite Curve {1, 3, 6} = across + 1;
 Transfinite Curve {2, 4} = rows + 1;
 Transfinite Curve {5, 7} = dry_rows + 1;
-Curve Loop(1) = {1, 2, -3, -4};
+caisson[] = {1, 2};
+bottom[] = {1};
+top[] = {6};
+If (has_parapet && !is_wide)  // two columns, which meet below the parapet's landward side
+  under = Max(1, Round(across * parapet_width / caisson_width + 1e-6));
+  Point(7) = {parapet_width - half, 0, 0};
+  Point(8) = {parapet_width - half, wet, 0};
+  Point(9) = {parapet_width - half, caisson_height, 0};
+  Line(31) = {1, 7};
+  Line(32) = {7, 2};
+  Line(33) = {4, 8};
+  Line(34) = {8, 3};
+  Line(35) = {6, 9};
+  Line(36) = {9, 5};
+  Line(37) = {7, 8};
+  Line(38) = {8, 9};
+  Transfinite Curve {31, 33, 35} = under + 1;
+  Transfinite Curve {32, 34, 36} = Max(1, across - under) + 1;
+  Transfinite Curve {37} = rows + 1;
+  Transfinite Curve {38} = dry_rows + 1;
+  Curve Loop(1) = {31, 37, -33, -4};
+  Curve Loop(2) = {32, 2, -34, -37};
+  Curve Loop(3) = {33, 38, -35, -7};
+  Curve Loop(4) = {34, 5, -36, -38};
+  Plane Surface(3) = {3};
+  Plane Surface(4) = {4};
+  caisson[] = {1, 2, 3, 4};
+  bottom[] = {31, 32};
+  top[] = {35, 36};
+Else
+  Line(1) = {1, 2};
+  Line(3) = {4, 3};
+  Line(6) = {6, 5};
+  Transfinite Curve {1, 3, 6} = across + 1;
+  Curve Loop(1) = {1, 2, -3, -4};
+  Curve Loop(2) = {3, 5, -6, -7};
+EndIf
 Plane Surface(1) = {1};
-Curve Loop(2) = {3, 5, -6, -7};
 Plane Surface(2) = {2};
-Transfinite Surface {1, 2};
-Recombine Surface {1, 2};
+front[] = {4, 7};
+back[] = {2, 5};
+If (has_parapet)
+  Point(41) = {-half, caisson_height + parapet_height, 0};
+  Point(42) = {parapet_width - half, caisson_height + parapet_height, 0};
+  Line(41) = {6, 41};
+  Line(42) = {41, 42};
+  If (is_wide)
+    Line(43) = {5, 42};
+    back[] += {43};
+    top[] = {42};
+    Transfinite Curve {42} = across + 1;
+    Curve Loop(5) = {6, 43, -42, -41};
+  Else
+    Line(43) = {9, 42};
+    top[] = {42, 43, 36};
+    Transfinite Curve {42} = under + 1;
+    Curve Loop(5) = {35, 43, -42, -41};
+  EndIf
+  Transfinite Curve {41, 43} = Max(1, Round(4 * cells * parapet_height / caisson_width + 1e-6)) + 1;
+  Plane Surface(5) = {5};
+  caisson[] += {5};
+  front[] += {41};
+EndIf
+Transfinite Surface {caisson[]};
+Recombine Surface {caisson[]};
 bed[] = {};
 level[] = {};
 
@@ -142,8 +210,8 @@ If (has_sea)
   Physical Curve("sea_surface") = {level[]};
 EndIf
 
-Physical Surface("caisson") = {1, 2};
-Physical Curve("front") = {4, 7};
-Physical Curve("back") = {2, 5};
-Physical Curve("top") = {6};
-Physical Curve("bottom") = {1};
+Physical Surface("caisson") = {caisson[]};
+Physical Curve("front") = {front[]};
+Physical Curve("back") = {back[]};
+Physical Curve("top") = {top[]};
+Physical Curve("bottom") = {bottom[]};

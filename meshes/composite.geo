@@ -2,7 +2,7 @@
 //
 //                    top
 //               +-----+-----+
-//         front |  caisson  | back                  x = 0: the caisson's middle, positive landward
+//         front |  caisson  | back                  x = 0: the caisson's middle, positive landward; on demand a parapet
 //               |           |                       y = 0: the seabed's surface, positive up
 //          +----+--bottom---+----+
 //         /|       mound         |\                  mound_surface: slopes and berms
@@ -43,6 +43,8 @@ DefineConstant[
   mound_slope_back = 0,    // -: slope of the landward side alone; 0: mound_slope
   caisson_width = 18,      // m: width of the caisson
   caisson_height = 16,     // m: height of the caisson above the mound
+  parapet_width = 0,       // m: width of a parapet on its top, from its seaward wall, which goes on up; 0: none
+  parapet_height = 0,      // m: height of the parapet above the caisson; 0: none
   cells = 1,               // -: relative density of cells; 2 halves every cell in both directions
   grading = 12,            // -: size of the cells far from the caisson's bottom corners over that at the corners
   water_depth = 15,        // m: depth of the still water above the seabed; matters where there is a sea
@@ -93,6 +95,22 @@ name = "caisson_width"; value = caisson_width;
 Call MustBePositive;
 name = "caisson_height"; value = caisson_height;
 Call MustBePositive;
+name = "parapet_width"; value = parapet_width; meaning = "none";
+Call MustNotBeNegative;
+name = "parapet_height"; value = parapet_height; meaning = "none";
+Call MustNotBeNegative;
+same = 1e-9;
+has_parapet = parapet_width > 0 && parapet_height > 0;
+is_wide = parapet_width >= (1 - same) * caisson_width;
+If (!has_parapet && parapet_width + parapet_height > 0)
+  Error("parapet_width is %g and parapet_height %g; give both, or none", parapet_width, parapet_height);
+  mistakes = 1;
+EndIf
+If (parapet_width > (1 + same) * caisson_width)
+  Error("parapet_width is %g; it must be at most caisson_width (%g): beyond it a parapet hangs in the air", parapet_width,
+        caisson_width);
+  mistakes = 1;
+EndIf
 name = "cells"; value = cells;
 Call MustBePositive;
 // With pressures of degree 2, 8 to 10 cells give the sea's added mass to 0.1 %.
@@ -165,7 +183,6 @@ EndIf
 If (mound_slope_back > 0)
   slope[1] = mound_slope_back;
 EndIf
-same = 1e-9;
 Macro MustEndAboveTheSeabed
   shortest = (to_crest - caisson_width / 2 + slope[side] * mound_height) / water[side];
   longest = shortest + length / water[side];
@@ -216,10 +233,17 @@ Macro FractionOfPart
   EndIf
 Return
 
+// The caisson's two columns meet at x = 0, or below the landward side of its parapet.
+split = 0;
+If (has_parapet && !is_wide)
+  split = parapet_width - caisson_width / 2;
+EndIf
 least = 1;
-distance = 0; length = caisson_width / 2;
-Call Grade;
-half_count = count; half_ratio = ratio;
+For side In {0 : 1}
+  distance = 0; length = caisson_width / 2 + (1 - 2 * side) * split;
+  Call Grade;
+  half_count[side] = count; half_ratio[side] = ratio;
+EndFor
 
 distance = mound_height; length = seabed_depth;
 Call Grade;
@@ -288,11 +312,12 @@ If (has_sea)
   dry_height = mound_height + caisson_height - mean_water;
 EndIf
 dry_rows = Max(1, Round(4 * cells * dry_height / caisson_width + 1e-6));
+parapet_rows = Max(1, Round(4 * cells * parapet_height / caisson_width + 1e-6));
 
 // ---------------------------------------------------------------------------------------------------- points
 // Column lines from left to right: side, toe, inner part of the foot, crest, caisson, middle, and back again. Blocks
 // above the mound stand on the same lines. Below the end of a sea there is one more line, if that is not the side.
-x[] = {-crest[0] - foot[0] - far[0], -crest[0] - foot[0], -crest[0] - inner[0], -crest[0], -caisson_width / 2, 0,
+x[] = {-crest[0] - foot[0] - far[0], -crest[0] - foot[0], -crest[0] - inner[0], -crest[0], -caisson_width / 2, split,
        caisson_width / 2, crest[1], crest[1] + inner[1], crest[1] + foot[1], crest[1] + foot[1] + far[1]};
 middle_line = 5;
 last_line = 10;
@@ -332,10 +357,10 @@ EndFor
 
 // ---------------------------------------------------------------------------------------------------- curves
 // Along x, column i lies between the lines i and i + 1; its cells grow from left to right by column_ratio[i].
-column_count[] = {far_count[0], upper_count, inner_count[0], berm_count[0], half_count,
-                  half_count, berm_count[1], inner_count[1], upper_count, far_count[1]};
-column_ratio[] = {1 / far_ratio[0], 1, 1, 1 / berm_ratio[0], half_ratio,
-                  1 / half_ratio, berm_ratio[1], 1, 1, far_ratio[1]};
+column_count[] = {far_count[0], upper_count, inner_count[0], berm_count[0], half_count[0],
+                  half_count[1], berm_count[1], inner_count[1], upper_count, far_count[1]};
+column_ratio[] = {1 / far_ratio[0], 1, 1, 1 / berm_ratio[0], half_ratio[0],
+                  1 / half_ratio[1], berm_ratio[1], 1, 1, far_ratio[1]};
 If (outer[0] > 0)
   column_count[] = {outer_count[0], column_count[]};
   column_ratio[] = {1 / outer_ratio[0], column_ratio[]};
@@ -435,6 +460,33 @@ For i In {wall_line[0] : wall_line[1] - 1}
     block = news; caisson[] += block; Plane Surface(block) = {loop};
   EndIf
 EndFor
+
+// The parapet stands on the seaward column, or on both where it is as wide as the caisson.
+over_front[] = {}; over_back[] = {}; over_top[] = {along_top[wall_line[0]], along_top[middle_line]};
+If (has_parapet)
+  last_parapet = middle_line;
+  If (is_wide)
+    last_parapet = wall_line[1];
+  EndIf
+  For i In {wall_line[0] : last_parapet}
+    at_parapet[i] = newp; Point(at_parapet[i]) = {x[i], mound_height + caisson_height + parapet_height, 0};
+    through_parapet[i] = newl; Line(through_parapet[i]) = {at_top[i], at_parapet[i]};
+    Transfinite Curve {through_parapet[i]} = parapet_rows + 1;
+  EndFor
+  For i In {wall_line[0] : last_parapet - 1}
+    from = at_parapet[i]; to = at_parapet[i + 1];
+    Call Along;
+    over_top[i - wall_line[0]] = along;
+    loop = newll; Curve Loop(loop) = {along_top[i], through_parapet[i + 1], -along, -through_parapet[i]};
+    block = news; caisson[] += block; Plane Surface(block) = {loop};
+  EndFor
+  over_front[] = {through_parapet[wall_line[0]]};
+  If (is_wide)
+    over_back[] = {through_parapet[last_parapet]};
+  Else
+    over_top[] += {through_parapet[last_parapet]};
+  EndIf
+EndIf
 
 // The slopes: triangles toe - foot of the crest - edge of the crest, each of three blocks about a point `centre`. The
 // cut on the slope and the centre follow from the cuts of the other two sides (Ceva), so that the blocks keep in shape.
@@ -561,8 +613,8 @@ If (sea_back > 0)
   Physical Surface("sea_back") = sea_block[{4 : 7}];
 EndIf
 
-front[] = {through_dry[wall_line[0]]};
-back[] = {through_dry[wall_line[1]]};
+front[] = {through_dry[wall_line[0]], over_front[]};
+back[] = {through_dry[wall_line[1]], over_back[]};
 If (has_sea)
   front[] += through_wet[wall_line[0]];
   back[] += through_wet[wall_line[1]];
@@ -574,7 +626,7 @@ EndIf
 Physical Curve("mound_surface") = {slope_lower[], slope_upper[], along_crest[crest_line[0]], along_crest[wall_line[1]]};
 Physical Curve("front") = front[];
 Physical Curve("back") = back[];
-Physical Curve("top") = {along_top[wall_line[0]], along_top[middle_line]};
+Physical Curve("top") = over_top[];
 Physical Curve("bottom") = {along_crest[wall_line[0]], along_crest[middle_line]};
 If (has_sea)
   Physical Curve("sea_surface") = sea_surface[];

@@ -34,7 +34,8 @@ def of_parapet(program, folder):
     frequency, change = parapet.change(program, parapet.CENTRAL, folder)
     stiffer = parapet.frequency(program, parapet.keys_of(parapet.CENTRAL | {"rubble_modulus": STIFFER * parapet.CENTRAL["rubble_modulus"]}, True), folder / "stiffer")
     wide = parapet.change(program, parapet.CENTRAL | {"width": 20.0, "slenderness": 0.65}, folder / "wide")
-    return {"frequency": frequency, "change": change, "change, rubble stiffer by the weight": 100 * (stiffer / frequency - 1), "change, 20 m wide and 13 m high": wide[1]}
+    part = parapet.frequency(program, parapet.as_part(parapet.CENTRAL), folder / "part")
+    return {"frequency": frequency, "change": change, "change, as a part": 100 * (part / frequency - 1), "change, rubble stiffer by the weight": 100 * (stiffer / frequency - 1), "change, 20 m wide and 13 m high": wide[1]}
 
 
 def of_beach(program, folder):

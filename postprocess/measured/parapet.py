@@ -68,6 +68,16 @@ def keys_of(point, parapet):
     }
 
 
+def as_part(point):
+    """The parapet as a part of the caisson, with its wall in the mesh."""
+    width, height, mound = point["width"], point["width"] * point["slenderness"], point["mound"]
+    share, top = point["parapet_share"] * width, point["parapet_height"]
+    keys = keys_of(point, False)
+    rectangle = {"x": [-width / 2, share - width / 2], "y": [mound + height, mound + height + top], "density": CONCRETE}
+    return keys | {"mesh.parameters.parapet_width": share, "mesh.parameters.parapet_height": top,
+                   "regions.caisson": {"kind": "rigid", "density": point["density"], "parts": {"parapet": rectangle}}}  # fmt: skip
+
+
 def frequency(program, keys, folder):
     """The lowest one of all modes that take a quarter of the largest part in F_T: what a vibration test sees as the first peak."""
     modes = run(program, CASE, keys, folder)["periods"]

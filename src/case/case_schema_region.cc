@@ -135,6 +135,14 @@ TableSchema<WallWater> added_mass_schema() {
   return table;
 }
 
+TableSchema<BodyPart> part_schema() {
+  TableSchema<BodyPart> table;
+  table.key("x", &BodyPart::x, "m", "x of its seaward and its landward side").required();
+  table.key("y", &BodyPart::y, "m", "y of its lower and its upper side").required();
+  table.key("density", &BodyPart::density, "kg/m3", "its density", above(0.)).required();
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(const Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -188,6 +196,10 @@ void declare_mass(TableSchema<Region>& table) {
             .key("moment_of_inertia", &Region::moment_of_inertia, "kg m2/m",
                  "moment of inertia about the centre of gravity", above(0.))
             .fallback("that of the area, evenly filled"));
+  limit(
+      table.tables("parts", &Region::parts, part_schema())
+          .doc("Rectangles of the meshed body with a density of their own, such as a parapet or a fill; density holds "
+               "for all the rest, and mass, centre of gravity and moment of inertia follow."));
   limit(table.table("interface", &Region::interface, contact_schema())
             .doc("How the bottom of the region caisson stands on its ground; bonded without this table."));
   limit(

@@ -45,5 +45,7 @@ void check_shaken_sides(Checker& checker);
 void check_loads(Checker& checker);
 void check_volume_loads(Checker& checker);
 void check_construction(Checker& checker);
+void check_body_parts(Checker& checker);
+void check_added_mass(Checker& checker);
 
 }  // namespace upbead

@@ -26,9 +26,11 @@ class Builder {
     Stage stage{name, rest_, given.water_level.value_or(level_), is_first};
     for (auto& [region, values] : stage.scene.regions)
       if (values.kind != RegionKind::water && standing_.count(region) == 0) values = nothing_yet();
-    if (const auto caisson = stage.scene.regions.find(caisson_name); caisson != stage.scene.regions.end())
+    if (const auto caisson = stage.scene.regions.find(caisson_name); caisson != stage.scene.regions.end()) {
       for (std::optional<double>* mass : {&caisson->second.mass, &caisson->second.density})
         if (*mass) *mass = share_ * **mass;
+      for (auto& [part, values] : caisson->second.parts) values.density *= share_;
+    }
     if (!is_last && stage.scene.initial) {
       stage.scene.initial->surcharge.clear();
       stage.scene.initial->harbour_level.reset();

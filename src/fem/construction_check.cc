@@ -128,9 +128,8 @@ double area_below(const Mesh& mesh, double level) {
 /// Weight of the caisson in air (N/m), where the case tells it.
 std::optional<double> weight_in_air(const Checker& checker) {
   const Region& caisson = checker.scene.regions.at(caisson_name);
-  if (caisson.mass) return *caisson.mass * checker.scene.gravity;
-  if (!caisson.density) return std::nullopt;
-  return *caisson.density * area_below(checker.mesh, HUGE_VAL) * checker.scene.gravity;
+  if (!caisson.mass && !caisson.density) return std::nullopt;
+  return caisson.mass_over(area_below(checker.mesh, HUGE_VAL)) * checker.scene.gravity;
 }
 
 /// A caisson of less than its whole weight: it stands, it does not float, and it is full before the waves.

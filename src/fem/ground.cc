@@ -167,6 +167,10 @@ Vector Ground::weights(double level, bool of_caisson_alone) const {
     const Row& row = is_of_caisson(cell) ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
     for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
   });
+  for (std::size_t b = 0; b < bodies_.size(); ++b)  // weights act at centres of gravity, not at middles of areas
+    if (!of_caisson_alone || bodies_[b].region == caisson_name)
+      f[unknowns_.coordinate(b, motion_rotation)] -=
+          bodies_[b].mass * scene_.gravity * (bodies_[b].middle[0] - bodies_[b].centre[0]);
   add_still_water(f);
   if (!of_caisson_alone)
     for_each_surcharge(scene_, space_, [&](const Cell& cell, const std::vector<double>& force) {

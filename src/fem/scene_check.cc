@@ -208,34 +208,6 @@ void check_base_springs(Checker& checker) {
   check_asked_of_ground(checker);
 }
 
-/// Water beside the caisson's walls as a mass, where no sea is meshed.
-void check_added_mass(Checker& checker) {
-  for (const auto& [name, region] : checker.scene.regions)
-    if (region.added_mass && name != caisson_name)
-      checker.object("regions." + name + ".added_mass", "only the caisson has walls in the sea", "remove it");
-  const auto caisson = checker.scene.regions.find(caisson_name);
-  const auto bounds = checker.outline.surfaces.find(caisson_name);
-  if (caisson == checker.scene.regions.end() || !caisson->second.added_mass) return;
-  const std::string key = "regions.caisson.added_mass";
-  for (const std::string& surface : checker.outline.touching(caisson_name))
-    if (checker.is(surface, RegionKind::water))
-      checker.object(key, "the water of '" + surface + "' beside the caisson is meshed: its mass would count twice",
-                     "remove added_mass, or take a mesh without seas");
-  if (!checker.scene.time.inertia)
-    checker.object(key, "without inertia (time.inertia = false) no mass counts", "remove it");
-  if (bounds == checker.outline.surfaces.end()) return;
-  for (const auto& [name, load] : checker.scene.loads)
-    if (load.measured_on_wall && load.factor != 0.)
-      checker.object(
-          "loads." + name + ".measured_on_wall",
-          "a force measured on the moving wall holds the push of its water, which added_mass would add again",
-          "leave out added_mass on that side, and measured_on_wall");
-  const double height = bounds->second.highest - bounds->second.lowest;
-  if (std::max(caisson->second.added_mass->seaward, caisson->second.added_mass->landward) > height * (1. + 1e-9))
-    checker.object(key, "the water is higher than the caisson's walls, " + significant(height) + " m",
-                   "give its height above the caisson's base, at most that of the walls");
-}
-
 /// Only a rigid caisson on a level bottom may slip, and only in a march in time.
 void check_contact(Checker& checker) {
   for (const auto& [name, region] : checker.scene.regions)
@@ -271,6 +243,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   check_harbour(checker);
   check_yielding(checker);
   check_caisson(checker);
+  check_body_parts(checker);
   check_contact(checker);
   check_base_springs(checker);
   check_added_mass(checker);

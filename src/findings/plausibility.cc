@@ -270,6 +270,8 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
     judge(at + "shear_modulus", region.shear_modulus, quantities::modulus, list);
     judge(at + "youngs_modulus", region.youngs_modulus, quantities::modulus, list);
     judge(at + "density", region.density, quantities::density, list);
+    for (const auto& [part, values] : region.parts)
+      judge(at + "parts." + part + ".density", values.density, quantities::density, list);
     judge_soil(at, region, list);
     judge_pores(at, region, list);
     if (region.porosity && region.biot < *region.porosity)

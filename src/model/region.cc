@@ -35,6 +35,7 @@ const Rules& member_rules() {
       {"mass", {K::rigid}, false, is_set(&R::mass)},
       {"centre_of_gravity", {K::rigid}, false, is_set(&R::centre_of_gravity)},
       {"moment_of_inertia", {K::rigid}, false, is_set(&R::moment_of_inertia)},
+      {"parts", {K::rigid}, false, [](const R& region) { return !region.parts.empty(); }},
       {"porosity", {K::porous}, true, is_set(&R::porosity)},
       {"grain_density", {K::porous}, true, is_set(&R::grain_density)},
       {"hydraulic_conductivity", {K::porous}, false, is_set(&R::hydraulic_conductivity)},
@@ -72,6 +73,7 @@ class Checker {
     if (region_.kind == K::solid || region_.kind == K::porous)
       exactly_one("shear_modulus", region_.shear_modulus || region_.stress_law, "youngs_modulus",
                   region_.youngs_modulus.has_value());
+    if (!region_.parts.empty()) check_parts();
     if (region_.kind == K::solid && !region_.density) add_missing("density", whose_, list_);
     if (region_.kind == K::porous) check_porous();
     if (region_.dashpots && !region_.springs)
@@ -96,6 +98,27 @@ class Checker {
     if (!has_a && !has_b)
       add(a, "neither '" + a + "' nor '" + b + "' is given, one of which " + whose_ + " needs",
           "add " + a + " or " + b);
+  }
+
+  /// Rectangles beside each other, of a body whose mass follows from densities.
+  void check_parts() {
+    const bool given = region_.mass || region_.centre_of_gravity || region_.moment_of_inertia;
+    if (given)
+      add("parts", "mass, centre_of_gravity and moment_of_inertia are those of the whole, with all parts",
+          "remove these, so that the densities tell them, or remove parts");
+    for (auto one = region_.parts.begin(); one != region_.parts.end(); ++one) {
+      const BodyPart& part = one->second;
+      if (!(part.x[0] < part.x[1] && part.y[0] < part.y[1]))
+        add("parts." + one->first, "its sides do not ascend", "give the lower side first: x = [-9, -5], y = [18, 22]");
+      for (auto other = std::next(one); other != region_.parts.end(); ++other)
+        if (overlap(part.x, other->second.x) && overlap(part.y, other->second.y))
+          add("parts." + other->first, "it overlaps with '" + one->first + "'", "give parts beside each other");
+    }
+  }
+
+  static bool overlap(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    constexpr double round_off = 1e-9;
+    return std::min(a[1], b[1]) - std::max(a[0], b[0]) > round_off * std::max(a[1] - a[0], b[1] - b[0]);
   }
 
   void check_strain(const StrainLaw& law) {
@@ -199,6 +222,13 @@ double ratio_at_ends(const Rayleigh& r) {
 }
 
 }  // namespace
+
+double Region::mass_over(double area) const {
+  if (mass) return *mass;
+  double sum = density.value_or(0.) * area;
+  for (const auto& [name, part] : parts) sum += (part.density - density.value_or(0.)) * part.area();
+  return sum;
+}
 
 double Rayleigh::mass_factor() const {
   const double w1 = 2. * pi * frequencies[0], w2 = 2. * pi * frequencies[1];

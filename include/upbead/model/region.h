@@ -96,6 +96,13 @@ struct WallWater {
   double seaward = 0., landward = 0.;
 };
 
+/// A rectangle of a rigid body with a density of its own, such as a parapet, a crown wall or another fill.
+struct BodyPart {
+  std::array<double, 2> x{}, y{};  ///< its sides, ascending (m)
+  double density = 0.;             ///< kg/m3
+  double area() const { return (x[1] - x[0]) * (y[1] - y[0]); }
+};
+
 /// Pore water and sea water.
 struct Fluid {
   double density = 1030.;                 ///< rho_f (kg/m3)
@@ -172,6 +179,7 @@ struct Region {
   std::optional<double> mass;                              ///< rigid, instead of density (kg/m)
   std::optional<std::array<double, 2>> centre_of_gravity;  ///< rigid (m); default: centroid of the area
   std::optional<double> moment_of_inertia;                 ///< rigid, about the centre of gravity (kg m2/m)
+  std::map<std::string, BodyPart> parts{};                 ///< rigid, where density does not hold
   std::optional<double> porosity;                          ///< n
   std::optional<double> grain_density;                     ///< rho_s (kg/m3)
   std::optional<double> hydraulic_conductivity;            ///< k (m/s)
@@ -193,6 +201,8 @@ struct Region {
   std::optional<WallWater> added_mass;                           ///< rigid: of the caisson, in place of seas
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water
+  /// Mass of a body of this area (m2), by density and those of its parts, or as given (kg/m).
+  double mass_over(double area) const;
 };
 
 /// The constants of the equations of motion of one region, ready for the kernels; the law is that of the skeleton.

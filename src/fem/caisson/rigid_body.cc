@@ -42,6 +42,23 @@ const Region& region_of(const Space& space, const std::string& name) {
   throw std::logic_error("no cell in region " + name);
 }
 
+/// Centre and inertia of a body whose parts have densities of their own; what a part has more than the rest counts as a
+/// rectangle there, with (b^2 + h^2)/12 about its middle.
+void add_parts(const Region& region, double second_moment, Body& body) {
+  const double rho = region.density.value_or(0.);
+  Tensor<1, dim> first;  // about the middle of the area
+  double second = rho * second_moment;
+  for (const auto& [name, part] : region.parts) {
+    const double more = (part.density - rho) * part.area();
+    const double width = part.x[1] - part.x[0], height = part.y[1] - part.y[0];
+    const Tensor<1, dim> at = Point<dim>(0.5 * (part.x[0] + part.x[1]), 0.5 * (part.y[0] + part.y[1])) - body.middle;
+    first += more * at;
+    second += more * (at.norm_square() + (width * width + height * height) / 12.);
+  }
+  body.centre = body.middle + first / body.mass;
+  body.moment_of_inertia = second - first.norm_square() / body.mass;
+}
+
 }  // namespace
 
 Body make_body(const Space& space, const std::string& name) {
@@ -62,8 +79,10 @@ Body make_body(const Space& space, const std::string& name) {
   for_each_point(space, name, [&](const Point<dim>& point, double weight) {
     second_moment += weight * (point - body.centre).norm_square();
   });
-  body.mass = region.mass ? *region.mass : region.density.value_or(0.) * body.area;
+  body.middle = body.centre;
+  body.mass = region.mass_over(body.area);
   body.moment_of_inertia = region.moment_of_inertia.value_or(body.mass / body.area * second_moment);
+  if (!region.parts.empty()) add_parts(region, second_moment, body);
   if (region.centre_of_gravity)
     body.centre = Point<dim>((*region.centre_of_gravity)[0], (*region.centre_of_gravity)[1]);
   return body;

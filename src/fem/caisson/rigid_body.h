@@ -26,10 +26,11 @@ struct Body {
   double mass = 0.;               ///< kg/m
   dealii::Point<dim> centre;      ///< centre of gravity (m)
   double moment_of_inertia = 0.;  ///< about the centre of gravity (kg m2/m)
+  dealii::Point<dim> middle{};    ///< of its area (m)
 };
 
 /// Area, mass, centre and inertia of one region, from its cells and the values given in the scene; by default of even
-/// density.
+/// density but in its parts.
 Body make_body(const Space& space, const std::string& region);
 
 /// The bodies of all rigid regions, in the order of the mesh's surfaces.
