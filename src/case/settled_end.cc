@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/time_end.h"
+#include "fem/caisson/wall_water.h"
 #include "mesh/extent.h"
 
 namespace upbead {
@@ -41,6 +42,7 @@ struct Parts {
   Part ground, caisson;
   double consolidation = 0.;  ///< of the slowest region, H^2/c_v (s)
   std::optional<BaseSupport> springs;
+  WallMass water;  ///< beside the caisson's walls
 };
 
 Parts parts_of(const Scene& scene, const Mesh& mesh) {
@@ -55,8 +57,8 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
     if (name == caisson_name) {
       parts.springs = region.springs;
       parts.caisson.add(cell);
-      parts.caisson.mass +=
-          region.mass ? *region.mass * area_of(cell) / regions[name].area : region.density.value_or(0.) * area_of(cell);
+      parts.caisson.mass = region.mass_over(regions[name].area);
+      parts.water = beside_walls(region.added_mass.value_or(WallWater()), scene.fluid.density);
     } else if (deforms(region)) {
       const double G = shear_modulus(region), area = area_of(cell);
       parts.ground.add(cell);
@@ -76,10 +78,11 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
   return parts;
 }
 
-/// Of a caisson in sway and rocking by Dunkerley's rule, J about its base (s).
-double period_on(const BaseSupport& springs, const Part& caisson) {
-  const double h = caisson.height(), b = 0.5 * caisson.width(), J = caisson.mass * (h * h / 3. + b * b / 3.);
-  return 2. * pi * std::sqrt(caisson.mass / springs.horizontal + J / springs.rotation);
+/// Of a caisson in sway and rocking with the water beside it by Dunkerley's rule, J about its base (s).
+double period_on(const BaseSupport& springs, const Part& caisson, const WallMass& water) {
+  const double h = caisson.height(), b = 0.5 * caisson.width();
+  const double J = caisson.mass * (h * h / 3. + b * b / 3.) + water.second;
+  return 2. * pi * std::sqrt((caisson.mass + water.mass) / springs.horizontal + J / springs.rotation);
 }
 
 /// The longest period in which the section swings (s): of the ground as a layer in shear, 4 H/V_s, or of the caisson on
@@ -87,7 +90,7 @@ double period_on(const BaseSupport& springs, const Part& caisson) {
 /// 2.1 G/(2 - nu) (1 + 2b/H), K_r = pi G b^2/(2 (1 - nu)) (1 + b/(5H)) (Gazetas, Soil Dyn. Earthq. Eng. 2 (1983) 2).
 double period_of(const Parts& parts) {
   const Part& ground = parts.ground;
-  if (parts.springs) return period_on(*parts.springs, parts.caisson);
+  if (parts.springs) return period_on(*parts.springs, parts.caisson, parts.water);
   if (!(ground.area > 0.)) return 0.;
   const double H = ground.height(), shear = 4. * H * ground.slowness / ground.area;
   const Part& caisson = parts.caisson;
@@ -95,7 +98,7 @@ double period_of(const Parts& parts) {
   const double G = ground.area / ground.compliance, nu = ground.poisson / ground.area, b = 0.5 * caisson.width();
   const double K_x = 2.1 * G / (2. - nu) * (1. + 2. * b / H);
   const double K_r = pi * G * b * b / (2. * (1. - nu)) * (1. + b / (5. * H));
-  return std::max(shear, period_on({K_x, 0., K_r}, caisson));
+  return std::max(shear, period_on({K_x, 0., K_r}, caisson, parts.water));
 }
 
 /// Two digits, not less than the value.

@@ -25,6 +25,7 @@
 #include "output/result_file.h"
 #include "output/soil_model_file.h"
 #include "reliability/answer.h"
+#include "reliability/ground.h"
 #include "run/derived.h"
 #include "upbead/base/error.h"
 
@@ -139,8 +140,8 @@ DesignWithModel with_model(const Design& design, const SolvedScene& solved, cons
   }
 }
 
-/// Warning model_of_other_scene: the life takes its dynamics from a model that is not of the file's scene.
-NumberedWarnings model_warnings(const SheetInput& input, const OutputFolder& folder) {
+/// Warning model_of_other_scene: a part takes its dynamics from a model that is not of the file's scene.
+NumberedWarnings model_warnings(const std::string& part, const SheetInput& input, const OutputFolder& folder) {
   const auto& dynamics = input.design->tables.dynamics;
   if (!dynamics || !input.scene) return {};
   const auto file = read_any_model_file(input.design->resolve(dynamics->model));
@@ -149,7 +150,7 @@ NumberedWarnings model_warnings(const SheetInput& input, const OutputFolder& fol
   const std::vector<std::string> names = tables_that_differ(model, effective_case(*input.scene, folder.name()));
   if (names.empty()) return {};
   return {{"model_of_other_scene", static_cast<double>(names.size()), 0., "1",
-           "the life has the dynamics of '" + dynamics->model +
+           part + " the dynamics of '" + dynamics->model +
                "', which is of another scene than this file: they "
                "differ in " +
                join(names, ", "),
@@ -162,7 +163,7 @@ Done expected_part(const SheetInput& input, const SolvedScene& solved, const Out
   const DesignWithModel with = with_model(*input.design, solved, folder);
   const ExpectedAnswer answer = find_expected(with.design);
   NumberedWarnings warnings = warnings_of(with.design, answer);
-  append(warnings, model_warnings(input, folder));
+  append(warnings, model_warnings("the life has", input, folder));
   if (!with.why_none.empty())
     warnings.push_back({"no_own_dynamics", 0., 0., "", "the life is by formulas alone: " + with.why_none,
                         "read S and pressures of the life as those of formulas"});
@@ -227,7 +228,10 @@ Done chances_part(const CaseOptions& options, const SheetInput& input, const Out
   std::filesystem::remove_all(out);
   folder.write(chances_folder + "/summary.json", json_text(summary));
   folder.write(chances_folder + "/case.toml", effective_design(*input.design, folder.name() + "/" + chances_folder));
-  return {{"reliability", checks_in(summary), warnings_in(summary), ""}, summary};
+  NumberedWarnings warnings = warnings_in(summary);
+  if (!input.asked.life && asks_for_ground(input.design->tables))
+    append(warnings, model_warnings("the chances have", input, folder));
+  return {{"reliability", checks_in(summary), warnings, ""}, summary};
 }
 
 int work(const CaseOptions& options) {

@@ -84,8 +84,20 @@ OutputSchema<LadderStep> ladder_outputs() {
 std::string why_no_periods(const Summary& summary) {
   if (!summary.periods.empty() || !summary.response) return "";
   if (summary.reduction) return "no mode that swings has 1 % of F_T";
-  return "they are the poles of a reduced model, and this scene was marched; where one converges time.scheme = "
-         "\"reduced\" tells them, or, beside a march, output.periods = true";
+  return summary.why_no_periods;
+}
+
+/// Why a scene that is marched has no periods.
+std::string find_why_no_periods(const Evidence& e) {
+  const Scene& scene = e.scene;
+  const std::string poles = "they are the poles of a reduced model, and this scene was marched; ";
+  if (!scene.periods)
+    return poles +
+           "where one converges time.scheme = \"reduced\" tells them, or, beside a march, output.periods = true";
+  if (!scene.time.inertia) return poles + "without inertia (time.inertia = false) nothing swings";
+  if (has_prescribed_motion(scene)) return poles + "beside a motion that is prescribed none is made";
+  if (e.simulation.processes()) return poles + "on several processes none is made: run it on one";
+  return poles + "the one that output.periods asks for did not converge, or has no mode with 1 % of F_T";
 }
 
 /// The modes of a scene that was marched, of its ground as it is before anything yields; none where none converge, or
@@ -187,7 +199,7 @@ Finding periods_finding() {
            "one with output.periods, of the ground before it yields")
         .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   };
-  return f.part(&Summary::periods, find_periods);
+  return f.part(&Summary::periods, find_periods).part(&Summary::why_no_periods, find_why_no_periods);
 }
 
 Finding ways_finding() {

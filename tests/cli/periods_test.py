@@ -44,6 +44,13 @@ class Periods(ProgramTest):
         self.assertEqual(summary["periods"], [])
         self.assertIn("output.periods = true", summary["no_periods"])
 
+    def test_with_the_key_in_vain_it_is_not_advised(self):
+        still = [*COARSE, "time.inertia=false", "mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0", "output.periods=true"]
+        summary = self.json_of("run", "fig2b-prototype.toml", *still)
+        self.assertEqual(summary["periods"], [])
+        self.assertIn("nothing swings", summary["no_periods"])
+        self.assertNotIn("output.periods = true", summary["no_periods"])
+
 
 if __name__ == "__main__":
     main()

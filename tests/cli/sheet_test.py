@@ -305,6 +305,19 @@ class Sheet(ProgramTest):
             if told:
                 self.assertIn("regions.seabed", found[0]["text"])
 
+    def test_a_model_of_other_ground_is_told_without_a_life(self):
+        chances = ["[reliability]", 'wave = "storm"', "dynamics = true", 'methods = ["form"]', "[reliability.variables.friction]", 'acts_on = "section.friction"',
+                   'distribution = "lognormal"', "mean = 0.6", "cov = 0.15"]  # fmt: skip
+        case = self.composite(*chances)
+        self.assertEqual(upbead("reduce", case, "--out", "own", cwd=self.folder).returncode, 0)
+        for options, told in (([], False), (["--set", "regions.seabed.shear_modulus=3e6"], True)):
+            sheet = self.json_of("sheet", case, *options[1:], f"dynamics.model='{self.folder}/own/reduced.h5'")
+            self.assertIsNone(sheet["expected"])
+            found = [one for one in sheet["warnings"] if one["name"] == "model_of_other_scene"]
+            self.assertEqual(len(found), told)
+            if told:
+                self.assertIn("the chances have the dynamics of", found[0]["text"])
+
     def test_run_and_waves_of_one_file_keep_their_results(self):
         case = self.composite()
         for command in ("run", "waves"):

@@ -8,6 +8,7 @@ kinks of the load; slip from the explicit steps of postprocess/measured/lumped_s
 """
 
 import json
+import re
 import sys
 
 import h5py
@@ -255,7 +256,29 @@ class Springs(ProgramTest):
         wet += "[boundaries.bed]\npressure = 'sealed'\n[boundaries.sea_surface]\npressure = 'open'\n[boundaries.sea_left]\npressure = 'sealed'\n"
         (self.folder / "wet.toml").write_text(wet)
         keys = ["mesh.parameters.water_depth=8", "mesh.parameters.sea_front=4", "regions.caisson.added_mass.landward=5"]
-        self.assertIn("its mass would count twice", self.refused(*keys, case="wet.toml"))
+        self.told("run", *keys, case="wet.toml")  # the harbour's water alone is not meshed
+        refused = self.refused(*keys, "regions.caisson.added_mass.seaward=8", case="wet.toml")
+        self.assertIn("'sea_front' on that side is meshed: its mass would count twice", refused)
+        self.assertIn("write seaward = 0", refused)
+
+    def test_steps_of_a_march_have_the_added_mass(self):
+        """The apparent period, by which a march chooses its steps: in sway alone, without dashpots, that of (m + 7/12 rho h^2)/k."""
+        keys = [*self.stiff_but_in_sway()[:2], "regions.caisson.dashpots.horizontal=0", 'time.scheme="sdirk4"', "loads.push.direction=[1.0, 0.0]"]
+        for depth in (0.0, 11.0):
+            why = self.told("run", *keys, f"regions.caisson.added_mass.seaward={depth}")["discretisation"]["why_step"]
+            wanted = 2 * np.pi * np.sqrt((MASS + 7 / 12 * 1030.0 * depth**2) / SPRINGS[0])
+            self.assertAlmostEqual(float(re.search("apparent period ([0-9.]+) s", why)[1]) / wanted, 1, delta=1e-3)
+
+    def test_the_end_of_a_run_has_the_added_mass(self):
+        """Three periods by Dunkerley's rule after the load, J about the base with Westergaard's 2/15 rho h^4."""
+        (self.folder / "open.toml").write_text(CASE.replace(f"end = {END}", ""))
+        depth, density = 11.0, 1030.0
+        for water in (0.0, depth):
+            done = upbead("run", "open.toml", "--details", *with_keys([f"regions.caisson.added_mass={{seaward={water}, landward={water}}}"]), cwd=self.folder)
+            period = float(re.search("three times the section's own period is ([0-9.]+) s", " ".join(done.stdout.split()))[1]) / 3
+            mass = MASS + 2 * 7 / 12 * density * water**2
+            inertia = MASS * (HEIGHT**2 + (WIDTH / 2) ** 2) / 3 + 2 * 2 / 15 * density * water**4
+            self.assertAlmostEqual(period / (2 * np.pi * np.sqrt(mass / SPRINGS[0] + inertia / SPRINGS[2])), 1, delta=5e-3)
 
     def test_slip_as_a_whole_is_friction_in_series(self):
         from measured.lumped_slip import Caisson, slip

@@ -523,6 +523,7 @@ struct Summary {
   std::optional<EnergyAccount> energy;              ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;        ///< none where it was marched
   std::vector<NaturalPeriod> periods;               ///< of F_T; none where no reduced model was made
+  std::string why_no_periods;                       ///< of a scene that is marched
   std::optional<ErrorEstimate> error;               ///< of the peak; none where the mesh error was not estimated
   std::optional<ErrorEstimate> history_error;       ///< of the whole history; with it
   std::optional<SlidingSummary> sliding;            ///< none without [sliding]

@@ -10,6 +10,11 @@ WallMass westergaard(double density, double height) {
   return {7. / 12. * mass, 7. / 30. * mass * height, 2. / 15. * mass * height * height};
 }
 
+WallMass beside_walls(const WallWater& heights, double density) {
+  const WallMass front = westergaard(density, heights.seaward), back = westergaard(density, heights.landward);
+  return {front.mass + back.mass, front.first + back.first, front.second + back.second};
+}
+
 BesideWalls::BesideWalls(const Region& region, double density, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const Caisson& caisson) {
   const auto body = std::find_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.region == caisson_name; });

@@ -17,6 +17,8 @@ struct WallMass {
 /// stiff wall, with a that of the wall at that depth: 7/12 rho h^2, 7/30 rho h^3, 2/15 rho h^4. Incompressible water
 /// beside a wall that does not turn has 0.5428 rho h^2 and 0.2179 rho h^3.
 WallMass westergaard(double density, double height);
+/// Of both walls together.
+WallMass beside_walls(const WallWater& heights, double density);
 
 /// Adds to M and to the forces of the water what [regions.caisson.added_mass] asks for.
 class BesideWalls {
