@@ -4,7 +4,7 @@ import json
 import subprocess
 
 from . import beach, column, deep, flume, more, paper, parapet, peers, tornado, tornado_more
-from .runs import CASES
+from .runs import CASES, run
 
 STIFFER = 1.06  # rubble that a parapet's weight presses together: G goes with the root of 1.12 times the stress
 
@@ -38,6 +38,14 @@ def of_parapet(program, folder):
     return {"frequency": frequency, "change": change, "change, as a part": 100 * (part / frequency - 1), "change, rubble stiffer by the weight": 100 * (stiffer / frequency - 1), "change, 20 m wide and 13 m high": wide[1]}
 
 
+def of_drag(program, folder):
+    """What drag that grows with velocity does to Fig. 2b's prototype: beta (1 - n)/(n^3 g d_50) of stones of 0.5 m."""
+    case, b = CASES.parent / "fig2b-prototype.toml", 1.1 * 0.6 / (0.4**3 * 9.81 * 0.5)
+    without, with_it = (run(program, case, keys, folder / "drag") for keys in ({}, {"regions.mound.forchheimer": b}))
+    peak, plain = (summary["response"]["peak_shear"] for summary in (with_it, without))
+    return {"b": b, "change": abs(peak / plain - 1), "velocity": with_it["soil"]["largest_velocity"]}
+
+
 def of_beach(program, folder):
     return beach.fitted(program, folder / "beach") | {f"{state}, their S and k": value for state, value in beach.published(program, folder / "beach").items()}
 
@@ -54,6 +62,7 @@ def all_of(program, folder, only=None):
         "column": of_column,
         "air": of_air,
         "parapet": of_parapet,
+        "drag": of_drag,
         "flume": flume.ways,
         "deep": lambda program, folder: deep.frequencies(program, {}, folder / "deep"),
         "beach": of_beach,

@@ -115,6 +115,8 @@ def fill(text, said, now):
         "stiffer": f"{now['parapet']['change, rubble stiffer by the weight']:.1f}",
         "swing": f"{lumped_slip.periods(flume.lumped_caisson())[0]:.2f}",
         "ranks": ", ".join(f"{words} {rank:+.1f}" for words, rank in ranks(said["parapet"])),
+        "drag": f"{now['drag']['change']:.1g}",
+        "flow": f"{now['drag']['velocity']:.2g}",
         "as a part": f"{now['parapet']['change, as a part']:.2f}",
         "by mass": f"{now['parapet']['change']:.2f}",
         "wide": f"{now['parapet']['change, 20 m wide and 13 m high']:.1f}",

@@ -222,6 +222,12 @@ void declare_pores(TableSchema<Region>& table) {
                   "hydraulic conductivity k; or permeability; needed unless flow is drained", above(0.)));
   limit(table.key("permeability", &Region::permeability, "m2",
                   "intrinsic permeability kappa; instead of k = kappa rho_f g / mu, mu = fluid.viscosity", above(0.)));
+  limit(
+      table.key("forchheimer", &Region::forchheimer, "s2/m2",
+                "b of drag that grows with the velocity w, i = w/k + b |w| w (Forchheimer 1901), as in stones, beta "
+                "(1 - n)/(n^3 g d_50), beta about 1.1 (Van Gent 1995); made linear cell by cell at the velocity of the "
+                "response, by iteration",
+                above(0.)));
   limit(table.key("conductivity_ratio", &Region::conductivity_ratio, "",
                   "vertical over horizontal conductivity, k_y/k_x; hydraulic_conductivity and permeability are the "
                   "horizontal ones. Layered sand has 0.1 to 0.5",

@@ -120,7 +120,7 @@ void Ratios::require_all_used() const {
 /// conductivity, permeability, viscosity.
 bool is_of_the_soil(const std::string& path, const std::string& unit) {
   return (starts_with(path, "regions.") || starts_with(path, "fluid.")) &&
-         (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s");
+         (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s" || unit == "s2/m2");
 }
 
 /// The exponent of the factor for what stands for soil that stays the same, G and rho: springs under a caisson are G,

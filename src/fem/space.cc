@@ -24,12 +24,14 @@ hp::FECollection<dim> make_elements(unsigned k) {
   return elements;
 }
 
-/// A copy of the region with the soil's stiffness, damping and pore fluid in one of its cells.
+/// A copy of the region with the soil's stiffness, damping, pore fluid and conductivity in one of its cells.
 Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
   if (!soil.shear_modulus.empty() && soil.shear_modulus[cell] > 0.) region.shear_modulus = soil.shear_modulus[cell];
   if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[cell] >= 0.)
     region.damping->ratio = soil.damping_ratio[cell];
   if (!soil.pore_fluid.empty() && soil.pore_fluid[cell] > 0.) region.pore_fluid_modulus = soil.pore_fluid[cell];
+  if (!soil.conductivity.empty() && soil.conductivity[cell] > 0.)
+    region.hydraulic_conductivity = soil.conductivity[cell];
   return region;
 }
 

@@ -242,6 +242,9 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
   judge(at + "conductivity_ratio", region.conductivity_ratio,
         {"1", 1e-3, 15., 0.02, 10., {{"percent", 1e-2}}, "layered soils have 0.02 to 1"}, list);
   judge(at + "permeability", region.permeability, quantities::permeability, list);
+  // beta (1 - n)/(n^3 g d): of 1 m to 0.1 mm
+  judge(at + "forchheimer", region.forchheimer,
+        {"s2/m2", 1e-3, 1e6, 0.1, 3e4, {}, "stones of 1 m have 1 to 3, gravel of 1 cm 100 to 300"}, list);
   judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }
 

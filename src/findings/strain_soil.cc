@@ -1,4 +1,4 @@
-// Soil whose stiffness and damping have followed the strain of the response.
+// Soil whose stiffness and damping have followed the strain of the response, its drag the velocity of the pore water.
 #include "findings/topics.h"
 
 namespace upbead {
@@ -10,13 +10,17 @@ OutputSchema<SoilSummary> soil_outputs() {
   return OutputSchema<S>()
       .key("iterations", &S::iterations, "", "iterations")
       .key("converged", &S::converged, "", "settled: whether the last change was below 1 %")
-      .key("change", &S::change, "", "of the peak of abs(F_T) in the last one, relative")
+      .key("change", &S::change, "", "of the peak of abs(F_T), or of a velocity, in the last one, relative")
       .key("peak_linear", &S::linear, "N/m",
-           "largest abs(F_T) with stiffness and damping at vanishing strain; without a caisson a strain, as `peak`")
+           "largest abs(F_T) with stiffness, damping and drag at vanishing strain and velocity; without a caisson a "
+           "strain or a velocity, as `peak`")
       .key("peak", &S::settled, "N/m", "largest abs(F_T), settled")
       .key("largest_strain", &S::largest_strain, "", "largest effective strain")
       .key("least_modulus_ratio", &S::least_modulus_ratio, "", "least stiffness over that at vanishing strain")
-      .key("largest_damping", &S::largest_damping, "", "largest damping ratio");
+      .key("largest_damping", &S::largest_damping, "", "largest damping ratio")
+      .key("largest_velocity", &S::largest_velocity, "m/s",
+           "largest velocity w_c at which drag that grows with it was made linear")
+      .key("least_conductivity_ratio", &S::least_conductivity_ratio, "", "least 1/(1 + b k w_c)");
 }
 
 std::optional<SoilSummary> find_soil(const Evidence& e) {
@@ -28,7 +32,7 @@ std::optional<SoilSummary> find_soil(const Evidence& e) {
 Finding strain_soil_finding() {
   Finding f;
   f.keys = [](OutputSchema<Summary>& s) {
-    s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows the strain; else null");
+    s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows strain or velocity; else null");
   };
   return f.part(&Summary::soil, find_soil);
 }

@@ -84,7 +84,8 @@ FlowChoice choose_flow(const Region& region, const Surroundings& at, const Scene
   } else {
     choose_by_inertia(omega, choice);
   }
-  if (choice.flow != Flow::darcy || at.has_probe || !scene.regions.count(caisson_name)) return choice;
+  if (choice.flow != Flow::darcy || at.has_probe || region.forchheimer || !scene.regions.count(caisson_name))
+    return choice;
   const double theta = drainage(region, at, scene, omega);
   if (theta >= least_theta_of_drained) {
     choice.flow = Flow::drained;

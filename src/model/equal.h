@@ -98,11 +98,13 @@ inline bool operator==(const BodyPart& a, const BodyPart& b) {
 
 inline auto members(const Region& of) {
   const auto& [kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, parts, n, grain_density, k,
-               kappa, ratio, saturation, by_depth, pore_fluid, flow, tortuosity, biot, K_s, damping, strength,
-               densification, cyclic, interface, springs, dashpots, wall_water, deformation, compressibility] = of;
+               kappa, forchheimer, ratio, saturation, by_depth, pore_fluid, flow, tortuosity, biot, K_s, damping,
+               strength, densification, cyclic, interface, springs, dashpots, wall_water, deformation,
+               compressibility] = of;
   return std::tie(kind, law, G, stress_law, strain_law, E, nu, density, mass, centre, inertia, parts, n, grain_density,
-                  k, kappa, ratio, saturation, by_depth, pore_fluid, flow, tortuosity, biot, K_s, damping, strength,
-                  densification, cyclic, interface, springs, dashpots, wall_water, deformation, compressibility);
+                  k, kappa, forchheimer, ratio, saturation, by_depth, pore_fluid, flow, tortuosity, biot, K_s, damping,
+                  strength, densification, cyclic, interface, springs, dashpots, wall_water, deformation,
+                  compressibility);
 }
 inline bool operator==(const Region& a, const Region& b) {
   return members(a) == members(b);

@@ -131,6 +131,9 @@ const Feature two_levels{"sea and harbour at two levels", [](const Scene& s) {
 const Feature springs{"a caisson on springs",
                       [](const Scene& s) { return in_regions(s, &Region::springs, "springs"); }};
 
+const Feature drag{"drag that grows with velocity",
+                   [](const Scene& s) { return in_regions(s, &Region::forchheimer, "forchheimer"); }};
+
 constexpr std::array way_names{"`time.scheme = \"reduced\"`",
                                "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",
@@ -158,6 +161,7 @@ std::vector<Row> rows_of_soils() {
           {Treatment::soil_model, strain, "stiffness cell by cell is no sum of a few parts"},
           {Treatment::soil_model, by_stress, "stiffness cell by cell is no sum of a few parts"},
           {Treatment::soil_model, air_by_depth, "storage cell by cell is no sum of a few parts"},
+          {Treatment::soil_model, drag, "conductivity cell by cell is no sum of a few parts"},
           {Treatment::soil_model, yielding, "soil that yields is not linear"},
           {Treatment::soil_model, shaking, "its parts would need loads of their own"},
           {Treatment::soil_model, volume_load, "its parts would need loads of their own"},
@@ -185,6 +189,7 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::adapted_mesh, motion, "its errors are those of forces and pressures"},
           {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
           {Treatment::reduce_command, yielding, "soil that yields has no modes"},
+          {Treatment::reduce_command, drag, "every wave has a drag of its own"},
           {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
           {Treatment::several_processes, densification, "no soil packs denser"},
           {Treatment::several_processes, springs, "no caisson stands on springs"},
@@ -192,6 +197,7 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
           {Treatment::checkpoints, contact, "a run with contact keeps none"},
           {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
+          {Treatment::checkpoints, drag, "a run with such drag keeps none"},
           {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
            "give it kind = \"rigid\", or deformation = \"rigid\""},
           {Treatment::contact, springs, "springs at its middle do not lift from its edges",

@@ -40,6 +40,7 @@ const Rules& member_rules() {
       {"grain_density", {K::porous}, true, is_set(&R::grain_density)},
       {"hydraulic_conductivity", {K::porous}, false, is_set(&R::hydraulic_conductivity)},
       {"permeability", {K::porous}, false, is_set(&R::permeability)},
+      {"forchheimer", {K::porous}, false, is_set(&R::forchheimer)},
       {"conductivity_ratio", {K::porous}, false, changed(&R::conductivity_ratio)},
       {"saturation", {K::porous}, false, changed(&R::saturation)},
       {"air_by_depth", {K::porous}, false, changed(&R::air_by_depth)},
@@ -195,6 +196,9 @@ class Checker {
       add_missing("hydraulic_conductivity", whose_, list_);
     if (region_.hydraulic_conductivity && region_.permeability)
       add("permeability", "both 'hydraulic_conductivity' and 'permeability' are given", "keep one of them");
+    if (region_.forchheimer && region_.flow == Flow::drained)
+      add("forchheimer", "flow = \"drained\" leaves out the pore water whose drag forchheimer tells",
+          "remove one of them");
     if (region_.air_by_depth && region_.saturation == 1.)
       add("air_by_depth", "air_by_depth without air: saturation is 1", "give a saturation below 1, or remove it");
     // with rigid grains the Biot coefficient is a measured number like any other, and the run warns of it; with

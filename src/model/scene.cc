@@ -35,6 +35,11 @@ bool follows_strain(const Scene& scene) {
                      [](const auto& entry) { return entry.second.strain_law && entry.second.law == SoilLaw::elastic; });
 }
 
+bool follows_velocity(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.forchheimer.has_value(); });
+}
+
 std::vector<std::string> stages_in_order(const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& [name, stage] : scene.construction) names.push_back(name);

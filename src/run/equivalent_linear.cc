@@ -1,4 +1,5 @@
-// Soils whose stiffness and damping follow the strain of the response: iterated linear solutions.
+// Soils whose stiffness and damping follow the strain of the response, and stones whose drag follows the velocity of
+// their water: iterated linear solutions.
 #include "run/derived.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "base/progress.h"
 #include "dynamics/joined.h"
 #include "fem/compile.h"
+#include "response/drag_velocity.h"
 #include "response/monitors.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
@@ -30,15 +32,22 @@ class Soil {
       follows_.push_back(follows);
       laws_.push_back(follows ? *region.strain_law : StrainLaw());
       largest_.push_back(follows ? simulation.space()->material(cell).G : 0.);
+      const bool drags = region.forchheimer && simulation.space()->has_pores(cell);
+      drag_.push_back(drags ? *region.forchheimer : 0.);
+      conductivity_.push_back(drags ? *region.hydraulic_conductivity : 0.);
     }
   }
 
   const std::vector<bool>& follows() const { return follows_; }
 
-  /// Stiffness and damping for largest shear strains, by active cell index; cells that do not follow the strain keep
+  /// Stiffness and damping for largest shear strains, drag for velocities, by active cell index; other cells keep
   /// theirs.
-  SoilState at(const std::vector<double>& strain) const {
+  SoilState at(const std::vector<double>& strain, const std::vector<double>& velocity) const {
     SoilState state = scene_.soil_state();
+    if (follows_velocity(scene_.scene())) state.conductivity.assign(strain.size(), 0.);
+    for (std::size_t i = 0; i < state.conductivity.size(); ++i)
+      state.conductivity[i] = conductivity_[i] * conductivity_ratio(i, velocity);
+    if (!follows_strain(scene_.scene())) return state;
     state.shear_modulus.resize(strain.size(), 0.);
     state.damping_ratio.assign(strain.size(), -1.);
     for (std::size_t i = 0; i < strain.size(); ++i) {
@@ -50,9 +59,11 @@ class Soil {
     return state;
   }
 
-  void report(const std::vector<double>& strain, SoilSummary& summary) const {
+  void report(const std::vector<double>& strain, const std::vector<double>& velocity, SoilSummary& summary) const {
     summary.least_modulus_ratio = 1.;
     for (std::size_t i = 0; i < strain.size(); ++i) {
+      summary.largest_velocity = std::max(summary.largest_velocity, velocity[i]);
+      summary.least_conductivity_ratio = std::min(summary.least_conductivity_ratio, conductivity_ratio(i, velocity));
       if (!follows_[i]) continue;
       const double effective = laws_[i].effective * strain[i];
       summary.largest_strain = std::max(summary.largest_strain, effective);
@@ -62,18 +73,42 @@ class Soil {
   }
 
  private:
+  /// k_eq/k of i = w/k + b w_c w.
+  double conductivity_ratio(std::size_t cell, const std::vector<double>& velocity) const {
+    return 1. / (1. + drag_[cell] * conductivity_[cell] * velocity[cell]);
+  }
+
   const Simulation& scene_;
   std::vector<bool> follows_;
   std::vector<StrainLaw> laws_;
-  std::vector<double> largest_;  ///< G_max (Pa)
+  std::vector<double> largest_;              ///< G_max (Pa)
+  std::vector<double> drag_, conductivity_;  ///< b (s2/m2) and k (m/s) where drag grows with velocity
 };
 
 /// Results of one linear solution.
 struct LinearAnswer {
-  std::vector<double> strain;  ///< largest shear strain of each cell
-  double measure = 0.;         ///< whose convergence is required: the largest |F_T| (N/m), or strain
-  double step = 0.;            ///< of the march (s); 0 of a reduced model
+  std::vector<double> strain;    ///< largest shear strain of each cell
+  std::vector<double> velocity;  ///< at which its drag is made linear (m/s)
+  double measure = 0.;           ///< whose convergence is required: the largest |F_T| (N/m), or strain or velocity
+  double step = 0.;              ///< of the march (s); 0 of a reduced model
 };
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// The velocity at which drag is made linear next. Where b |w| w alone resists, what is found is i/(b w) of what was
+/// taken: their geometric mean is the answer, and either alone would lead back to the other.
+std::vector<double> between(const std::vector<double>& taken, const std::vector<double>& found) {
+  std::vector<double> next = found;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (taken[i] > 0.) next[i] = std::sqrt(taken[i] * found[i]);
+  return next;
+}
+
+double change_of(double last, double next) {
+  return std::abs(next - last) / std::max(next, 1e-300);
+}
 
 /// The simulation with the steps of the first march: softer soil would allow longer steps, but finding them takes
 /// factorisations.
@@ -94,7 +129,8 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
   const Scene& scene = simulation.scene();
   const CompiledScene& compiled = *simulation.compiled();
   const SchemeChoice choice = choose_scheme(scene, compiled);
-  if (choice.scheme != TimeScheme::reduced || !compiled.caisson) return std::nullopt;
+  const bool needs_flow = follows_velocity(scene);  // of which a reduced model keeps nothing
+  if (choice.scheme != TimeScheme::reduced || !compiled.caisson || needs_flow) return std::nullopt;
   ReductionTargets targets;
   targets.most_vectors = choice.most_vectors;
   targets.only_shear = true;
@@ -108,7 +144,7 @@ std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const s
     strains.see(states, sampled_loads(scene, compiled.system));
     const ShearResponse response =
         read_shear_response(compiled, respond(reduction, scene, compiled.system), scene.time.inertia);
-    return LinearAnswer{strains.shear(), largest_shear(response), 0.};
+    return LinearAnswer{strains.shear(), std::vector<double>(follows.size(), 0.), largest_shear(response), 0.};
   } catch (const NumericsError&) {
     return std::nullopt;
   }
@@ -118,9 +154,10 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
                             const std::function<void(double)>& progress) {
   LargestStrains strains(*simulation.space(), *simulation.unknowns(), follows);
   ObserverFunction reported = progress_observer(progress);
-  WholeStates whole(simulation.system(), strains);
+  DragVelocity velocities(*simulation.space(), *simulation.unknowns());
+  WholeStates whole(simulation.system(), strains), flow(simulation.system(), velocities);
   Marching options;
-  options.observers = {&whole, &reported};
+  options.observers = {&whole, &flow, &reported};
   const TimeScheme asked = simulation.scene().time.scheme;
   SchemeOptions scheme_options;
   scheme_options.account_energy = false;  // nobody sees these results
@@ -131,8 +168,8 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   const double measure =
       compiled.caisson
           ? largest_shear(read_shear_response(compiled, solution.response, simulation.scene().time.inertia))
-          : *std::max_element(strains.shear().begin(), strains.shear().end());
-  return {strains.shear(), measure, solution.discretisation.time_step};
+          : largest(follows_strain(simulation.scene()) ? strains.shear() : velocities.found());
+  return {strains.shear(), velocities.found(), measure, solution.discretisation.time_step};
 }
 
 /// As the first answer was found.
@@ -146,26 +183,32 @@ LinearAnswer next_answer(const LinearAnswer& first, const Simulation& simulation
 }  // namespace
 
 Simulation with_converged_soil(const Simulation& simulation, const std::function<void(double)>& progress) {
-  if (simulation.soil() || !follows_strain(simulation.scene())) return simulation;
+  const bool follows = follows_strain(simulation.scene()) || follows_velocity(simulation.scene());
+  if (simulation.soil() || !follows) return simulation;
   const Soil soil(simulation);
-  const SoilState first = soil.at(std::vector<double>(soil.follows().size(), 0.));
+  const std::vector<double> none(soil.follows().size(), 0.);
+  const SoilState first = soil.at(none, none);
   SoilSummary summary;
   Simulation latest = with_soil(simulation, first);
   // how many solutions it takes is not known: each is a fifth of what is left
   const auto part = [&](int n) { return part_of(progress, 1. - std::pow(0.8, n), 1. - std::pow(0.8, n + 1)); };
   const LinearAnswer linear = next_answer({}, latest, soil.follows(), part(0));
   LinearAnswer last = linear;
+  std::vector<double> velocity = linear.velocity;
   summary.linear = linear.measure;
   while (!summary.converged && summary.iterations < most_iterations) {
-    latest = with_room(with_soil(simulation, soil.at(last.strain)));  // for the solution, which comes after the last
+    latest = with_room(
+        with_soil(simulation, soil.at(last.strain, velocity)));  // for the solution, which comes after the last
     const LinearAnswer next = next_answer(linear, latest, soil.follows(), part(summary.iterations + 1));
     ++summary.iterations;
-    summary.change = std::abs(next.measure - last.measure) / std::max(next.measure, 1e-300);
+    summary.change =
+        std::max(change_of(last.measure, next.measure), change_of(largest(velocity), largest(next.velocity)));
+    velocity = between(velocity, next.velocity);
     summary.converged = summary.change < converged;
     last = next;
   }
   summary.settled = last.measure;
-  soil.report(last.strain, summary);
+  soil.report(last.strain, last.velocity, summary);
   return latest.with([&](auto& parts) { parts.soil = summary; });
 }
 

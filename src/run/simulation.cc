@@ -60,6 +60,7 @@ std::optional<Simulation> taken_over(Simulation::Parts parts, const Simulation& 
                        kept.soil_state.shear_modulus == parts.soil_state.shear_modulus &&
                        kept.soil_state.damping_ratio == parts.soil_state.damping_ratio &&
                        kept.soil_state.pore_fluid == parts.soil_state.pore_fluid &&
+                       kept.soil_state.conductivity == parts.soil_state.conductivity &&
                        system_scene(kept.scene) == system_scene(parts.scene);
   if (!is_same) return std::nullopt;
   parts.space = kept.space;

@@ -14,7 +14,8 @@ namespace {
 
 /// About ten marches of the soil come before the run that counts: the part of the work that they are.
 double soil_ends(const Simulation& simulation) {
-  return follows_strain(simulation.scene()) && !simulation.soil() ? 0.8 : 0.;
+  const bool follows = follows_strain(simulation.scene()) || follows_velocity(simulation.scene());
+  return follows && !simulation.soil() ? 0.8 : 0.;
 }
 
 /// A caisson that cannot slip. Where the scheme that the scene names is refused, the message says whether another one

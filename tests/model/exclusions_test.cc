@@ -46,6 +46,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.regions["mound"].densification = Densification();
   scene.regions["sand"].flow = Flow::inertial;
   scene.regions["sand"].air_by_depth = true;
+  scene.regions["mound"].forchheimer = 1.;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;
   scene.initial = InitialState();

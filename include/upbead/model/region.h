@@ -184,6 +184,7 @@ struct Region {
   std::optional<double> grain_density;                     ///< rho_s (kg/m3)
   std::optional<double> hydraulic_conductivity;            ///< k (m/s)
   std::optional<double> permeability;                      ///< kappa (m2), instead of k = kappa rho_f g / mu
+  std::optional<double> forchheimer;                       ///< b of i = w/k + b |w| w (s2/m2); none: 0
   double conductivity_ratio = 1.;                          ///< k_y/k_x; those above are of the horizontal flow
   double saturation = 1.;                                  ///< S, water in the volume of pores; the rest is air
   bool air_by_depth = false;                               ///< whether the air has the pressure at each cell's depth

@@ -195,6 +195,9 @@ bool has_frictional_contact(const Scene& scene);
 /// Whether some region's stiffness and damping follow the strain.
 bool follows_strain(const Scene& scene);
 
+/// Whether in some region the drag of the pore water grows with its velocity.
+bool follows_velocity(const Scene& scene);
+
 /// Whether some region's law lets it yield.
 bool yields(const Scene& scene);
 

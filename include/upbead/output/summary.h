@@ -189,14 +189,15 @@ struct ErrorEstimate {
   double total() const { return mesh + time + reduced_model + far_boundary; }
 };
 
-/// Soil whose stiffness and damping follow the strain of the response.
+/// Soil whose stiffness and damping follow the strain of the response, or whose drag follows the pore water's velocity.
 struct SoilSummary {
   int iterations = 0;      ///< of linear solutions after the first
   bool converged = false;  ///< whether the last change was below 1 %
-  double change = 1.;      ///< of the peak of |F_T| in the last iteration, relative
-  /// Peak |F_T| at vanishing strain and in the last iteration; without a caisson, strains.
+  double change = 1.;      ///< of the peak of |F_T|, or of the velocity, in the last iteration, relative
+  /// Peak |F_T| at vanishing strain and velocity and in the last iteration; without a caisson, strains or velocities.
   double linear = 0., settled = 0.;
   double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
+  double largest_velocity = 0., least_conductivity_ratio = 1.;
 };
 
 /// The excess pore pressure of largest magnitude that is left at the end of a run.

@@ -86,7 +86,7 @@ def soil(summary):
     if found:
         rows = [
             (told(outputs.label(f"soil.{key}")), (percent if key == "largest_damping" else quantity)(found[key]))
-            for key in ("iterations", "converged", "largest_strain", "least_modulus_ratio", "largest_damping")
+            for key in ("iterations", "converged", "largest_strain", "least_modulus_ratio", "largest_damping", "largest_velocity", "least_conductivity_ratio")
         ]
         parts += [tag("h3", say("Soil that follows the strain")), table(heads("quantity", "value"), rows, "numbers")]
     strength = summary.get("strength") or []

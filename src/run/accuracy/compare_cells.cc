@@ -41,6 +41,7 @@ SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer
     if (!soil.shear_modulus.empty()) state.shear_modulus.push_back(soil.shear_modulus[i]);
     if (!soil.damping_ratio.empty()) state.damping_ratio.push_back(soil.damping_ratio[i]);
     if (!soil.pore_fluid.empty()) state.pore_fluid.push_back(soil.pore_fluid[i]);
+    if (!soil.conductivity.empty()) state.conductivity.push_back(soil.conductivity[i]);
   }
   return state;
 }
