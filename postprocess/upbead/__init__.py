@@ -30,13 +30,14 @@ from .scene import Scene
 from .sensitivity import KeyShare, Sensitivity, sensitivity
 from .slip_result import SlipResult
 from .soil_model import SoilModel
+from .stress_law import SoilPoints, StressLaw
 from .study_table import StudyTable
 from .tables import MissingPackage
 from .calibration_result import CalibrationResult
 from .expected_result import ExpectedResult
 
 __all__ = ["CalibrationResult", "CaseError", "ExpectedResult", "Fit", "History", "KeyShare", "MissingPackage", "ModelError", "NumericsError", "ReducedModel", "Result",
-           "Scene", "Sensitivity", "SlipResult", "SoilError", "SoilModel", "SoilRecord", "StudyTable", "UnknownName", "UpbeadError", "UserError", "calibrate", "expected",
+           "Scene", "Sensitivity", "SlipResult", "SoilError", "SoilModel", "SoilPoints", "SoilRecord", "StressLaw", "StudyTable", "UnknownName", "UpbeadError", "UserError", "calibrate", "expected",
            "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "reliability", "report", "run", "sensitivity", "soil_posterior", "study", "waves"]
 
 

@@ -16,6 +16,7 @@ from .opening import open_model, open_result
 from .program import call, settings
 from .reduced_model import ReducedModel
 from .results import Result
+from .stress_law import answering, laws_of
 from .study_table import StudyTable
 from .waves_result import WavesSummary
 from .written_case import Case, as_file, name_of
@@ -124,5 +125,6 @@ def folder_of(file: Case, out: Place, ending: str) -> Path:
 def written(command: str, file: Case, values: Values, out: Place, program: Place, ending: str, more: list[Any] | tuple[()] = ()) -> Path:
     """Calls the program; returns the folder of its results."""
     folder = folder_of(file, out, ending)
-    call([command, as_file(file, folder, values), "--out", folder, *settings(values), *more], program)
+    with answering(laws_of(file)) as variables:
+        call([command, as_file(file, folder, values), "--out", folder, *settings(values), *more], program, variables)
     return folder

@@ -64,10 +64,11 @@ def settings(values: Mapping[str, Any] | None) -> list[str]:
     return [word for key, value in (values or {}).items() for word in ("--set", f"{key}={toml_value(value)}")]
 
 
-def call(arguments: Iterable[Any], program: str | PathLike[str] | None = None) -> str:
-    """Runs the program without showing its progress; raises CaseError or NumericsError with its own text."""
+def call(arguments: Iterable[Any], program: str | PathLike[str] | None = None, variables: Mapping[str, str] | None = None) -> str:
+    """Runs the program without showing its progress, with more variables of the environment; raises CaseError or NumericsError with its
+    own text."""
     command, words = find(program), list(map(str, arguments))
-    done = subprocess.run([command, *words], capture_output=True, text=True, check=False, env=environment(command))
+    done = subprocess.run([command, *words], capture_output=True, text=True, check=False, env={**environment(command), **(variables or {})})
     if done.returncode == 0:
         return done.stdout
     text = done.stderr.strip() or done.stdout.strip()

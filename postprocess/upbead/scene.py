@@ -66,6 +66,7 @@ class Scene(dict[str, Any]):
         """A region of the mesh, [regions.NAME]: kind "porous", "solid", "rigid", "water"; keys in SI units.
 
         `strain` may have functions of the shear strain: modulus=f, G/G_max, and damping=f, a ratio, from strains of 1e-7 to 0.1.
+        `law` may be a StressLaw, or a function that remembers nothing.
         """
         return self.table("regions", name, kind=kind, **keys)
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from .errors import UserError
 from .sampled import sampled_curve, sampled_field, sampled_function
 from .sampled_until import overlaid, sampled_until
+from .stress_law import WORD, StressLaw
 from .toml import toml_text
 
 Case = Union[str, "PathLike[str]", Mapping[str, Any]]
@@ -111,8 +112,13 @@ def with_paths(value: Any, folder: Path, key: str = "") -> Any:
 
 
 def with_curves(name: str, region: Any) -> Any:
-    """A region whose curves of G/G_max and damping over the shear strain may be functions, with pairs in their place."""
-    strain = region.get("strain") if isinstance(region, Mapping) else None
+    """A region whose law of stress may be a function, with its word, and whose curves of G/G_max and damping over the shear strain may be
+    functions, with pairs in their place."""
+    if not isinstance(region, Mapping):
+        return region
+    if isinstance(region.get("law"), StressLaw) or callable(region.get("law")):
+        region = {**region, "law": WORD}
+    strain = region.get("strain")
     if not isinstance(strain, Mapping):
         return region
     found = {key: sampled_curve(value) if callable(value) else value for key, value in strain.items()}

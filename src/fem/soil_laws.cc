@@ -30,8 +30,9 @@ ShearCompaction compaction_of(const Densification& d) {
 }
 
 /// What a law is told of a region.
-RegionSoil soil_of(const Region& region) {
+RegionSoil soil_of(const std::string& name, const Region& region) {
   RegionSoil soil;
+  soil.region = name;
   if (const auto& s = region.strength)
     soil.strength = MohrCoulombStrength{s->friction_angle, s->cohesion, s->dilatancy_angle, s->tension};
   if (const auto& law = region.strain_law) {
@@ -64,7 +65,7 @@ class Maker {
     const ElasticLaw& elastic = space.material(cell);
     const double mean = rest_.mean(i, applied_k0_);
     auto& make = make_[name];
-    if (!make) make = row.make(soil_of(region));
+    if (!make) make = row.make(soil_of(name, region));
     const bool balanced = row.rest == RestStress::balanced && failing_;
     const CellPoints points = make({elastic, std::max(mean, floor_.at(name)), at_rest(region, row, i)});
     laws.report.area += area_of(cell);

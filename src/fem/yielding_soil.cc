@@ -122,6 +122,8 @@ class SoilOfCells : public YieldingSoil {
 
  private:
   void make_packs(std::map<PackKey, Waiting>& waiting, bool by_points);
+  /// Tells soil that asks elsewhere for its stress the strains of displacements u.
+  void foresee(const Vector& u);
   /// Calls `work` for each pack, on several threads, with displacements u; then sums the packs' nodal forces.
   void sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F);
   void commit_pack(std::size_t pack);
@@ -194,6 +196,14 @@ void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting, bool by_points
   rested_.resize(packs_.size());
 }
 
+void SoilOfCells::foresee(const Vector& u) {
+  for (CellPack& pack : packs_) {
+    if (!pack.soil(0).asks()) continue;
+    pack.take(u);
+    for (int q = 0; q < pack.n_points(); ++q) pack.soil(q).foresee(pack.strain(q));
+  }
+}
+
 void SoilOfCells::sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F) {
   detail::fail_together(divided_ != nullptr ? divided_->sharing : Sharing(), [&] {
     crew_.share(static_cast<int>(packs_.size()), [&](int i) {
@@ -219,6 +229,7 @@ const Vector& SoilOfCells::whole(const Vector& x) {
 
 void SoilOfCells::evaluate(const Vector& x, Vector& p) {
   nodes_.displace(whole(x), u_);
+  foresee(u_);
   const auto correct = [this](std::size_t i) {
     CellPack& pack = packs_[i];
     rested_[i] = skips_ && pack.rests();
@@ -262,6 +273,7 @@ void SoilOfCells::commit_pack(std::size_t i) {
 /// The nodal force of the ground is K x - p, summed over its cells.
 double SoilOfCells::commit(const Vector& x) {
   nodes_.displace(whole(x), committed_);
+  foresee(committed_);
   const auto elastic = [this](std::size_t i) {
     CellPack& pack = packs_[i];
     for (int q = 0; q < pack.n_points(); ++q) pack.add_force(q, pack.elastic_stress(pack.strain(q)));

@@ -10,6 +10,10 @@ namespace {
 class PackOfPoints : public SoilPack {
  public:
   explicit PackOfPoints(SoilPoints points) : points_(std::move(points)) {}
+  bool asks() const override { return at(0).asks(); }
+  void foresee(const PackTensor& strain) const override {
+    for (int lane = 0; lane < size(); ++lane) at(lane).foresee(in_lane(strain, lane));
+  }
   void correct(const PackTensor& strain, PackStress& correction) const override {
     correction = {};
     for (int lane = 0; lane < size(); ++lane) {

@@ -55,6 +55,10 @@ class SoilAt {
   using Stress = typename Beside<n>::Stress;
 
   virtual ~SoilAt() = default;
+  /// Whether its stress is asked of elsewhere; then foresee() tells the strain of the next correct() or commit(), so
+  /// that all points can be asked for at once.
+  virtual bool asks() const { return false; }
+  virtual void foresee(const Strain& /*strain*/) const {}
   /// D strain - sigma (Pa), with D the soil's own elastic law, starting from the committed state, which is not changed.
   /// Exactly zero where nothing has yielded.
   virtual void correct(const Strain& strain, Stress& correction) const = 0;

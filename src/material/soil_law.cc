@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "material/asked_law.h"
 #include "material/hysteretic_law.h"
 #include "material/mohr_coulomb_law.h"
 
@@ -14,7 +15,7 @@ double MohrCoulombStrength::shear(double mean) const {
 }
 
 const std::vector<const SoilLawRow*>& soil_law_rows() {
-  static const std::vector<const SoilLawRow*> rows{&hysteretic_row, &mohr_coulomb_row};
+  static const std::vector<const SoilLawRow*> rows{&hysteretic_row, &mohr_coulomb_row, &asked_row};
   return rows;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "material/compacting_point.h"
@@ -31,6 +32,7 @@ struct ModulusCurve {
 
 /// What is known of the soil of a region that has a law.
 struct RegionSoil {
+  std::string region;
   std::optional<MohrCoulombStrength> strength;
   std::optional<ModulusCurve> curve;
 };
@@ -50,6 +52,7 @@ struct CellPoints {
 enum class SoilNeeds {
   curve_or_strength,  ///< either, or both
   strength,           ///< and takes no curve
+  function,           ///< of Python, which answers while the program runs; neither curve nor strength
 };
 
 /// The stress at rest that soil starts from.
@@ -65,7 +68,7 @@ struct SoilLawRow {
   RestStress rest;
   const char* how;  ///< how stress follows strain, for the reference of cases
   std::function<CellPoints(const CellSoil&)> (*make)(const RegionSoil&);
-  /// A point that packs denser under cycles of shear, around one of this law.
+  /// A point that packs denser under cycles of shear, around one of this law; null where that is not offered.
   std::unique_ptr<CompactingPoint> (*compacting)(std::unique_ptr<SoilPoint> soil, const ElasticLaw& elastic,
                                                  const ShearCompaction& law, double mean_at_rest);
 };

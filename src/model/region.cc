@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
+#include "material/asked_law.h"
 #include "model/member_rules.h"
 #include "model/soil_law_row.h"
 #include "model/words.h"
@@ -167,6 +168,12 @@ class Checker {
     if (row.needs == SoilNeeds::strength && region_.strain_law)
       add("strain", soil + " is elastic up to its strength and follows no strain",
           "remove strain, or write law = \"hysteretic\"");
+    if (row.needs != SoilNeeds::function) return;
+    if (!laws_are_answered())
+      add("law", "\"" + std::string(row.word) + "\" asks a function of Python for stresses, and none is there",
+          "run the scene by upbead.run in Python, with the function as its law, or choose another law");
+    if (region_.strain_law) add("strain", soil + " follows that alone", "remove strain");
+    if (region_.strength) add("strength", soil + " follows that alone", "remove strength");
   }
 
   void check_densification(const Densification& d) {
@@ -177,7 +184,7 @@ class Checker {
           "add relative_density = 0.5, or the measured c1");
     if (d.c2 && !d.c1)
       add("densification", "c2 is given without c1", "give both, or relative_density alone, which gives both");
-    if (region_.law == SoilLaw::elastic)
+    if (const SoilLawRow* row = row_of(region_.law); !row || !row->compacting)
       add("densification", "soil that packs denser needs a law that follows its history",
           "add law = \"hysteretic\" or law = \"mohr_coulomb\"");
   }

@@ -47,6 +47,7 @@ enum class SoilLaw {
   elastic,       ///< linear, or equivalent-linear where a strain law is given
   hysteretic,    ///< overlay of elastic-plastic elements, fitted to the curve of G over strain
   mohr_coulomb,  ///< elastic and perfectly plastic
+  python,        ///< asked of a function of Python while the program runs
 };
 
 /// The part of the stress at rest that the overlay of hysteretic soil bears at the start.
