@@ -1,8 +1,5 @@
 #include "input_files.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "case/case_schema.h"
 #include "case/load_source.h"
 #include "upbead/mesh/request.h"
@@ -18,19 +15,6 @@ std::vector<InputFile> input_files(const Case& problem) {
     files.push_back({problem.resolve(record.file), problem.place(dotted("measured", name) + ".file")});
   append(files, files_of_cycles(problem));
   return files;
-}
-
-void Fingerprint::add_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return;
-  std::stringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  add(path.filename().string());
-  add(text.str());
-}
-
-void Fingerprint::add_files(const Case& problem) {
-  for (const InputFile& file : input_files(problem)) add_file(file.path);
 }
 
 }  // namespace upbead

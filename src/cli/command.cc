@@ -113,6 +113,12 @@ std::vector<Option> common_options(CommonOptions& options, const std::string& fi
            "KEY=VALUE"}};
 }
 
+std::string command_line(const std::string& name, const CommonOptions& options, const std::string& more) {
+  std::string text = "upbead " + name + " " + options.file;
+  for (const std::string& setting : options.overrides) text += " --set '" + setting + "'";
+  return text + " --out " + options.out + more;
+}
+
 Option trust_option(bool& trusted) {
   return {"--trust", &trusted,
           "mesh the case's own .geo even where nothing can keep it from starting programs and writing files"};

@@ -55,6 +55,9 @@ std::vector<Option> common_options(
     CommonOptions& options, const std::string& file = "case",
     const std::string& out = "the results (default: results/NAME, NAME as the case file's)");
 
+/// A command line with those options, and more behind it.
+std::string command_line(const std::string& name, const CommonOptions& options, const std::string& more);
+
 /// The option --trust of commands that mesh.
 Option trust_option(bool& trusted);
 

@@ -1,11 +1,11 @@
-// The commands waves, expected and calibrate, which evaluate formulas for a section.
+// The commands waves and calibrate, and what they share with expected and reliability, which evaluate formulas for a
+// section.
 #include <iostream>
 
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "cli/design_command.h"
 #include "design/calibrate/calibration_report.h"
-#include "design/expected_report.h"
 #include "design/waves_report.h"
 #include "output/output_text.h"
 
@@ -19,17 +19,14 @@ std::string default_folder(const Design& design, const DesignWork& work) {
   return "results/" + design.stem + (work.suffix.empty() && is_case ? "-waves" : work.suffix);
 }
 
-struct DesignOptions : CommonOptions {
-  bool details = false;  ///< --details
-};
-
-int work_on(const DesignOptions& options, const DesignWork& work, const Stopwatch& since_start) {
+int work_on(DesignOptions options, const DesignWork& work, const Stopwatch& since_start) {
   const Design design = read_design(options.file, options.overrides, work.checks);
   note_interrupts();
-  const std::string out = options.out.empty() ? default_folder(design, work) : options.out;
-  require_inputs_kept(out, work.files, input_files(design));
-  OutputFolder folder(out);
-  const DesignOutput answer = work.answer(design, since_start);
+  if (options.out.empty()) options.out = default_folder(design, work);
+  require_inputs_kept(options.out, work.files, input_files(design));
+  if (!options.part.empty()) return work.part(design, options);
+  OutputFolder folder(options.out);
+  const DesignOutput answer = work.answer(design, options, since_start);
   for (const auto& [name, bytes] : answer.files) folder.write(name, bytes);
   folder.write("case.toml", effective_design(design, folder.name()));
   const std::string json = json_text(answer.summary);
@@ -51,28 +48,14 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
                "add a table [waves.NAME] with height (m) and period (s)");
 }
 
-DesignOutput waves(const Design& design, const Stopwatch&) {
+DesignOutput waves(const Design& design, const DesignOptions&, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
   Json summary = to_json(design, answers);
   std::string text = brief(design, answers, summary);
   return {{}, std::move(summary), std::move(text), describe(warnings_of(design, answers))};
 }
 
-DesignOutput expected(const Design& design, const Stopwatch& since_start) {
-  ExpectedTiming timing;
-  timing.read = since_start.seconds();
-  const ExpectedAnswer answer = find_expected(design);
-  const std::string results = expected_file(design, answer);
-  timing.total = since_start.seconds();
-  Json summary = to_json(design, answer, timing);
-  std::string text = brief(design, answer, summary);
-  return {{{"results.h5", results}},
-          std::move(summary),
-          std::move(text),
-          note_lines(answer.notes) + describe(warnings_of(design, answer))};
-}
-
-DesignOutput calibrated(const Design& design, const Stopwatch&) {
+DesignOutput calibrated(const Design& design, const DesignOptions&, const Stopwatch&) {
   const Calibration found = calibrate(design);
   Json summary = to_json(design, found);
   std::string text = brief(summary);
@@ -90,6 +73,13 @@ Command design_command(Command command, const DesignWork& work) {
                                    "the results (default: results/NAME" + work.suffix + ", NAME as the " +
                                        (work.suffix.empty() ? "design's)" : "file's)")) +
                     std::vector<Option>{{"--details", &options->details, "print every number of the summary"}};
+  if (work.part)
+    command.options =
+        command.options +
+        std::vector<Option>{
+            {"--part", &options->part,
+             "compute part K of N of the lives alone; auto: as mpirun, srun or a Slurm array tells", "K/N"},
+            {"--merge", &options->merge, "take the lives that the parts have computed"}};
   command.texts = {
       {"--keys", "print every key of a design file with unit, range, default and meaning", design_reference},
       {"--schema", "print them as JSON Schema, by which an editor completes and checks a design file",
@@ -128,22 +118,6 @@ Examples:
   upbead waves cases/fig10/impulsive.toml --set section.friction=0.5 --json | jq '.waves[].safety_sliding'
   upbead waves --keys)";
 
-const char* const expected_footer =
-    R"(Sums the sliding distances S of all waves of a record of sea states: heights by Rayleigh up to Goda's highest random
-breaker (sea.highest), S by four laws (docs/expected.md), quadrature. With [life] it also simulates lives by Monte Carlo, with [scatter.NAME] for what is
-uncertain. With [dynamics] every wave's impulsive force goes through the caisson's reduced model.
-
-Writes into results/NAME-expected (or --out DIR), all or nothing:
-  summary.json   expected distances, waves above heights, Monte Carlo; SI units
-  results.h5     S and its share in the expectation over the height, S of each life
-  case.toml      the design with all defaults; runs again
-
-Examples:
-  upbead expected cases/section4/hd12.toml
-  upbead expected cases/section4/hd12.toml --set life.simulated_lives=10000 --set scatter.force.cov=0.1
-  upbead expected cases/section4/hd10.toml --json | jq .expected.distance_paper
-  upbead expected --keys)";
-
 const char* const calibrate_footer =
     R"(Sends the impulsive forces of a family of waves and mounds through reduced models, finds tau_0 of each history by
 equal sliding at given r = F_Smax/(mu W'), and fits k = tau_0/tau_0F = 1/(alpha*^a + 1)^b to it, with the region
@@ -177,9 +151,7 @@ std::vector<Command> design_commands() {
   return {design_command(command("waves", "pressure, safety factors and sliding distance of given waves, by formulas",
                                  waves_footer),
                          {"", {require_waves}, {"summary.json", "case.toml"}, rows_of_waves, waves}),
-          design_command(
-              command("expected", "expected sliding distance of sea states, and of lives", expected_footer),
-              {"-expected", {check_expected}, {"summary.json", "results.h5", "case.toml"}, rows_of_expected, expected}),
+          expected_command(),
           design_command(
               command("calibrate", "k(alpha*) of tau_0 = k tau_0F from the caisson's own dynamics", calibrate_footer),
               {"-calibration",

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/fingerprint.h"
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "base/version.h"

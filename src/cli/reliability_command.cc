@@ -6,7 +6,7 @@ namespace upbead {
 
 namespace {
 
-DesignOutput reliability(const Design& design, const Stopwatch&) {
+DesignOutput reliability(const Design& design, const DesignOptions&, const Stopwatch&) {
   const ReliabilityAnswer answer = find_reliability(design);
   Json summary = to_json(design, answer);
   std::string text = brief(design, answer, summary);

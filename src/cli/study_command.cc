@@ -8,12 +8,12 @@
 #include "base/interrupt.h"
 #include "base/launch.h"
 #include "base/progress.h"
+#include "base/work_lock.h"
 #include "case/script_trust.h"
 #include "cli/study_options.h"
 #include "study/local_pool.h"
 #include "study/runner.h"
 #include "study/shared_files.h"
-#include "study/study_lock.h"
 #include "study/study_progress.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
@@ -27,7 +27,7 @@ struct Share {
   std::optional<Part> part;
   std::optional<Launch> launch;  ///< of the processes that have the other parts, where a launcher has started them
 
-  std::string lock() const { return part ? part->lock() : StudyLock::of_study; }
+  std::string lock() const { return part ? part->lock() : WorkLock::of_all; }
   std::string journal() const { return part ? part->name() + "-" : ""; }
 };
 
@@ -155,7 +155,7 @@ int tell_interrupted(const Interrupted& interrupted, const Study& study, const P
 
 int run(const Share& share, const StudyOptions& options, const Stopwatch& since_start) {
   const Study study = read_study_of(options);
-  const StudyLock lock(options.out, share.lock());
+  const WorkLock lock(options.out, share.lock());
   if (options.restart) remove_journals(options.out);
   const Pieces pieces = share.part ? deal(study, share.part->of)[static_cast<std::size_t>(share.part->number) - 1]
                                    : schedule(study, Results(study.runs.size()));

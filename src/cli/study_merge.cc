@@ -22,7 +22,8 @@ const std::vector<std::string> study_files{"study.csv",       "study.h5",       
 std::vector<MissingRuns> missing_runs(const Study& study, const Results& results, const StudyOptions& options) {
   if (n_results(results) == static_cast<int>(results.size())) return {};
   if (const auto parts = parts_begun(options.out)) {
-    std::vector<MissingRuns> list = missing_parts(options.out, study, results, *parts);
+    std::vector<MissingRuns> list = missing_parts(
+        options.out, deal(study, *parts), [&](int run) { return results[static_cast<std::size_t>(run)].has_value(); });
     for (MissingRuns& missing : list) missing.command = command_of(options, " --part " + missing.part);
     return list;
   }
@@ -61,10 +62,7 @@ Study read_study_of(const StudyOptions& options) {
 }
 
 std::string command_of(const StudyOptions& options, const std::string& more) {
-  std::string text = "upbead study " + options.file;
-  for (const std::string& setting : options.overrides) text += " --set '" + setting + "'";
-  text += " --out " + options.out;
-  return text + (options.trusts_scripts ? " --trust" : "") + more;
+  return command_line("study", options, (options.trusts_scripts ? " --trust" : "") + more);
 }
 
 int write_tables(const Study& study, const Results& results, const StudyOptions& options, const StudyAccount& account) {

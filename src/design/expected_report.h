@@ -9,6 +9,7 @@
 
 #include "case/records/record_layout.h"
 #include "design.h"
+#include "design/lives.h"
 #include "output/checks.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
@@ -122,8 +123,9 @@ inline double share_of(double some, double all) {
   return all > 0. ? some / all : 0.;
 }
 
-/// Computes on all cores; the numbers do not depend on how many. Throws NumericsError where a number is not finite.
-ExpectedAnswer find_expected(const Design& design);
+/// Computes on all cores; the numbers do not depend on how many. `known`: all lives, which are not computed then.
+/// Throws NumericsError where a number is not finite.
+ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known = nullptr);
 
 /// Wall times (s).
 struct ExpectedTiming {

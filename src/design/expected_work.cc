@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <numeric>
+#include <mutex>
 
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "design/expected_laws.h"
+#include "design/lives.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -135,14 +136,14 @@ StormSource source_of(const Design& design) {
 }
 
 /// `side` = -1: values below the limit are beyond it.
-template <class Worst>
-WorstOfLives worst_of_lives(const std::vector<Worst>& lives, double Worst::*member, const std::optional<double>& limit,
-                            double side = 1.) {
+template <class Value>
+WorstOfLives worst_of_lives(const std::vector<LifeNumbers>& lives, const Value& value,
+                            const std::optional<double>& limit, double side = 1.) {
   WorstOfLives out;
   std::vector<double> turned;
-  for (const Worst& life : lives) {
-    out.values.push_back(life.*member);
-    turned.push_back(side * life.*member);
+  for (const LifeNumbers& life : lives) {
+    out.values.push_back(value(life));
+    turned.push_back(side * value(life));
   }
   out.statistics = statistics(out.values, {});
   if (limit) {
@@ -152,27 +153,15 @@ WorstOfLives worst_of_lives(const std::vector<Worst>& lives, double Worst::*memb
   return out;
 }
 
-/// Finds the base of each life. With the law dynamic that is the base by own dynamics in the life's wave of the
-/// largest heel pressure by Goda's formulas.
-void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Life>& lives, MonteCarlo& out) {
-  const bool dynamic = out.law == Law::dynamic;
-  if (dynamic) out.why_no_base = laws.why_no_dynamic_base();
-  if (!out.why_no_base.empty()) return;
-  const SeaState calm{1., 10., 1., 0., 0.};
-  std::vector<WorstBase> found(lives.size());
-  in_parallel(lives.size(), "pressing on the base", [&](std::size_t i) {
-    const Life& life = lives[i];
-    if (!life.base)
-      found[i] = *laws.base(Law::exact, {calm, 0., {}});  // at rest
-    else
-      found[i] = dynamic ? *laws.base(Law::dynamic, life.most_tilting) : *life.base;
-  });
-  const Limits& limits = tables.limits;
-  const auto& pressure = dynamic ? limits.dynamic_base_pressure : limits.base_pressure;
-  out.base = {worst_of_lives(found, &WorstBase::heel_pressure, pressure),
-              worst_of_lives(found, &WorstBase::toe_pressure, pressure),
-              worst_of_lives(found, &WorstBase::eccentricity, {}),
-              worst_of_lives(found, &WorstBase::overturning_margin, limits.overturning, -1.)};
+BaseOfLives base_of_lives(const Limits& limits, Law law, const std::vector<LifeNumbers>& lives) {
+  const auto of = [](double WorstBase::*member) {
+    return [member](const LifeNumbers& life) { return life.base.*member; };
+  };
+  const auto& pressure = law == Law::dynamic ? limits.dynamic_base_pressure : limits.base_pressure;
+  return {worst_of_lives(lives, of(&WorstBase::heel_pressure), pressure),
+          worst_of_lives(lives, of(&WorstBase::toe_pressure), pressure),
+          worst_of_lives(lives, of(&WorstBase::eccentricity), {}),
+          worst_of_lives(lives, of(&WorstBase::overturning_margin), limits.overturning, -1.)};
 }
 
 /// Every way to fail in a life: under the worst wave of each storm by Goda's formulas; of very many storms under those
@@ -207,71 +196,83 @@ double lower_worse(const Laws& laws, const DesignTables& tables, const std::vect
   return share.empty() ? 0. : *std::max_element(share.begin(), share.end());
 }
 
-/// The lives, and every way to fail in each where `ways` has room for them.
-std::vector<Life> lives_of(const LifeSimulation& simulation, const Laws& laws, std::size_t n,
-                           std::vector<WaysToFail>& ways, std::vector<double>& answered) {
-  std::vector<Life> lives(n);
-  const WaysToFail at_rest = ways.empty() ? WaysToFail() : laws.ways_at_rest();
-  in_parallel(n, "simulating lives", [&](std::size_t i) {
-    lives[i] = simulation.life(static_cast<std::uint32_t>(i));
-    if (ways.empty()) return;
-    ways[i] = ways_of_life(laws, std::move(lives[i].worst_of_storms), at_rest, answered[i]);
-    lives[i].worst_of_storms.clear();
-  });
-  return lives;
-}
-
-WaysOfLives ways_of_lives(const Limits& limits, const std::vector<WaysToFail>& ways,
-                          const std::vector<double>& answered) {
+WaysOfLives ways_of_lives(const Limits& limits, const std::vector<LifeNumbers>& lives) {
   using W = WaysToFail;
   constexpr double stands = 1.;
-  return {worst_of_lives(ways, &W::sliding, stands, -1.),
-          worst_of_lives(ways, &W::sliding_seaward, stands, -1.),
-          worst_of_lives(ways, &W::overturning, limits.overturning.value_or(stands), -1.),
-          worst_of_lives(ways, &W::heel_pressure, limits.dynamic_base_pressure),
-          worst_of_lives(ways, &W::toe_pressure, limits.dynamic_base_pressure),
-          worst_of_lives(ways, &W::circles, limits.circles.value_or(stands), -1.),
-          std::accumulate(answered.begin(), answered.end(), 0.),
+  const auto of = [](double W::*member) { return [member](const LifeNumbers& life) { return life.ways.*member; }; };
+  double answered = 0.;
+  for (const LifeNumbers& life : lives) answered += life.answered_for_ways;
+  return {worst_of_lives(lives, of(&W::sliding), stands, -1.),
+          worst_of_lives(lives, of(&W::sliding_seaward), stands, -1.),
+          worst_of_lives(lives, of(&W::overturning), limits.overturning.value_or(stands), -1.),
+          worst_of_lives(lives, of(&W::heel_pressure), limits.dynamic_base_pressure),
+          worst_of_lives(lives, of(&W::toe_pressure), limits.dynamic_base_pressure),
+          worst_of_lives(lives, of(&W::circles), limits.circles.value_or(stands), -1.),
+          answered,
           0.};
 }
 
-MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
-                    const ExpectedAnswer& answer, Law law) {
-  const LifeTable& table = *design.tables.life;
-  MonteCarlo out;
-  out.law = law;
-  LifeSetup setup;
-  if (design.tables.storms) {
-    setup.source = source_of(design);
-  } else {
-    setup.states = record;
-    setup.record_years = design.tables.sea->years;
-    out.without_scatter = answer.total.at(out.law).distance * table.years / design.tables.sea->years;
+/// The lives by one law.
+class LivesOfLaw {
+ public:
+  LivesOfLaw(const Design& design, const Laws& laws, const std::vector<SeaState>& record, Law law)
+      : laws_(laws),
+        law_(law),
+        why_no_base_(law == Law::dynamic ? laws.why_no_dynamic_base() : ""),
+        knows_ways_(law == Law::dynamic && laws.knows_ways()),
+        at_rest_(knows_ways_ ? laws.ways_at_rest() : WaysToFail()),
+        simulation_(setup(design, record)) {}
+
+  /// May be called by several threads.
+  LifeNumbers numbers(int index) const {
+    Life life = simulation_.life(static_cast<std::uint32_t>(index));
+    LifeNumbers found{life.sliding, life.waves, life.answered, life.taken, life.highest, {}, {}, 0.};
+    if (why_no_base_.empty()) found.base = base_of(life);
+    if (knows_ways_)
+      found.ways = ways_of_life(laws_, std::move(life.worst_of_storms), at_rest_, found.answered_for_ways);
+    return found;
   }
-  setup.life_years = table.years;
-  const DesignTables& tables = design.tables;
-  setup.cut = tables.highest().cut;
-  if (tables.highest().breaking)
-    setup.limit = [&tables](const SeaState& state) {
-      return sea_before(tables.section, tables.water, state).heights.breaker;
-    };
-  setup.uncertain = uncertainties(design.tables.scatter);
-  setup.law = [&laws, law = out.law](const SeaState& state) { return laws.make(law, state); };
-  setup.seed = static_cast<std::uint64_t>(table.seed);
-  setup.worst_of_storms = law == Law::dynamic && laws.knows_ways();
-  const LifeSimulation simulation(setup);
-  const Stopwatch watch;
-  const auto n = static_cast<std::size_t>(table.lives);
-  std::vector<WaysToFail> ways(setup.worst_of_storms ? n : 0);
-  std::vector<double> answered(n, 0.);
-  const std::vector<Life> lives = lives_of(simulation, laws, n, ways, answered);
-  if (!ways.empty()) {
-    out.ways = ways_of_lives(tables.limits, ways, answered);
-    out.ways->lower_worse = lower_worse(laws, tables, tables.storms ? typical_storms(design) : record);
+  const std::string& why_no_base() const { return why_no_base_; }
+  bool knows_ways() const { return knows_ways_; }
+
+ private:
+  LifeSetup setup(const Design& design, const std::vector<SeaState>& record) const {
+    const DesignTables& tables = design.tables;
+    LifeSetup setup;
+    if (tables.storms) {
+      setup.source = source_of(design);
+    } else {
+      setup.states = record;
+      setup.record_years = tables.sea->years;
+    }
+    setup.life_years = tables.life->years;
+    setup.cut = tables.highest().cut;
+    if (tables.highest().breaking)
+      setup.limit = [&tables](const SeaState& state) {
+        return sea_before(tables.section, tables.water, state).heights.breaker;
+      };
+    setup.uncertain = uncertainties(tables.scatter);
+    setup.law = [&laws = laws_, law = law_](const SeaState& state) { return laws.make(law, state); };
+    setup.seed = static_cast<std::uint64_t>(tables.life->seed);
+    setup.worst_of_storms = knows_ways_;
+    return setup;
   }
-  add_base(tables, laws, lives, out);
-  out.seconds = watch.seconds();
-  for (const Life& life : lives) {
+  /// With the law dynamic the base by own dynamics in the life's wave of the largest heel pressure by Goda's formulas.
+  WorstBase base_of(const Life& life) const {
+    if (!life.base) return *laws_.base(Law::exact, {SeaState{1., 10., 1., 0., 0.}, 0., {}});  // at rest
+    return law_ == Law::dynamic ? *laws_.base(Law::dynamic, life.most_tilting) : *life.base;
+  }
+
+  const Laws& laws_;
+  Law law_;
+  std::string why_no_base_;
+  bool knows_ways_;
+  WaysToFail at_rest_;
+  LifeSimulation simulation_;
+};
+
+void add_sums(const std::vector<LifeNumbers>& lives, MonteCarlo& out) {
+  for (const LifeNumbers& life : lives) {
     if (!std::isfinite(life.sliding)) throw NumericsError("the sliding distance of a life is not finite");
     out.sliding.push_back(life.sliding);
     out.waves += life.waves;
@@ -279,11 +280,40 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
     out.taken += life.taken;
     out.highest = std::max(out.highest, life.highest);
   }
+}
+
+/// `known`: the lives where they have been computed; else null.
+MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
+                    const ExpectedAnswer& answer, Law law, const std::vector<LifeNumbers>* known) {
+  const DesignTables& tables = design.tables;
+  MonteCarlo out;
+  out.law = law;
+  if (!tables.storms) out.without_scatter = answer.total.at(law).distance * tables.life->years / tables.sea->years;
+  const LivesOfLaw of_law(design, laws, record, law);
+  const Stopwatch watch;
+  std::vector<LifeNumbers> computed(known ? 0 : static_cast<std::size_t>(tables.life->lives));
+  in_parallel(computed.size(), "simulating lives",
+              [&](std::size_t i) { computed[i] = of_law.numbers(static_cast<int>(i)); });
+  const std::vector<LifeNumbers>& lives = known ? *known : computed;
+  if (of_law.knows_ways()) {
+    out.ways = ways_of_lives(tables.limits, lives);
+    out.ways->lower_worse = lower_worse(laws, tables, tables.storms ? typical_storms(design) : record);
+  }
+  out.why_no_base = of_law.why_no_base();
+  if (out.why_no_base.empty()) out.base = base_of_lives(tables.limits, law, lives);
+  out.seconds = known ? 0. : watch.seconds();
+  add_sums(lives, out);
   std::vector<double> limits{0.1, 0.3, 1.};
   if (tables.limits.sliding && std::find(limits.begin(), limits.end(), *tables.limits.sliding) == limits.end())
     limits.push_back(*tables.limits.sliding);
   out.statistics = statistics(out.sliding, limits);
   return out;
+}
+
+/// The law of the lives and, beside own dynamics, formulas.
+std::vector<Law> laws_of_lives(const Design& design, const Laws& laws) {
+  const Law law = design.tables.life->sliding.value_or(laws.best());
+  return law == Law::dynamic ? std::vector{law, Law::exact} : std::vector{law};
 }
 
 void integrate(const Design& design, const Laws& laws, const std::vector<SeaState>& record, ExpectedAnswer& answer) {
@@ -325,7 +355,7 @@ NumberedWarnings heights_above_depth(const std::vector<SeaState>& record, double
 
 }  // namespace
 
-ExpectedAnswer find_expected(const Design& design) {
+ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known) {
   std::vector<SeaState> record;
   RecordNotes notes;
   if (design.tables.sea)
@@ -338,12 +368,30 @@ ExpectedAnswer find_expected(const Design& design) {
   answer.model = laws.model();
   if (design.tables.sea) integrate(design, laws, record, answer);
   answer.quadrature_seconds = watch.seconds();
-  if (const auto& life = design.tables.life) {
-    const Law law = life->sliding.value_or(laws.best());
-    answer.monte_carlo = simulate(design, laws, record, answer, law);
-    if (law == Law::dynamic) answer.formula_lives = simulate(design, laws, record, answer, Law::exact);
-  }
+  if (design.tables.life)
+    for (const Law law : laws_of_lives(design, laws)) {
+      std::optional<MonteCarlo>& found = answer.monte_carlo ? answer.formula_lives : answer.monte_carlo;
+      found = simulate(design, laws, record, answer, law, known ? &known->at(law) : nullptr);
+    }
   return answer;
+}
+
+void compute_lives(const Design& design, const std::vector<int>& lives,
+                   const std::function<void(int life, const LifeByLaw& found)>& take) {
+  std::vector<SeaState> record;
+  RecordNotes notes;
+  if (design.tables.sea)
+    record = read_sea_states(design.resolve(design.tables.sea->states), design.document.place("sea.states"), notes);
+  const Laws laws(design, design.tables.storms ? typical_storms(design) : record);
+  std::map<Law, LivesOfLaw> by_law;
+  for (const Law law : laws_of_lives(design, laws)) by_law.try_emplace(law, design, laws, record, law);
+  std::mutex one_at_a_time;
+  in_parallel(lives.size(), "simulating lives", [&](std::size_t i) {
+    LifeByLaw found;
+    for (const auto& [law, of_law] : by_law) found[law] = of_law.numbers(lives[i]);
+    const std::lock_guard lock(one_at_a_time);
+    take(lives[i], found);
+  });
 }
 
 }  // namespace upbead

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/journal.h"
+#include "base/parts.h"
 #include "study/study.h"
 #include "study/summary_reader.h"
 
@@ -43,44 +45,26 @@ struct JournalsRead {
 /// journals with this in their names are counted, as others may be about to be written.
 JournalsRead read_journals(const std::string& output_folder, const Study& study, const std::string& torn_of = "");
 
-/// The folder of a study's journals, within that of its results.
-std::filesystem::path journal_folder(const std::string& output_folder);
-
-/// Of empty files in it, which name launches whose results have been joined.
+/// Of empty files in the folder of journals, which name launches whose results have been joined.
 constexpr const char* merged_ending = ".merged";
 
 /// Removes all journals, families of soils and summaries of runs in the folder.
 void remove_journals(const std::string& output_folder);
 
-/// The journal of one process, which no other process writes to. Each line is passed to the system at once and whole,
-/// so that it survives the end of the process.
+/// The journal of one process, see JournalFile.
 class Journal {
  public:
-  /// Makes a file for this process; `name`: its end, after a number that makes it new. Throws InputError where the
-  /// folder cannot be written to.
+  /// `name`: that of its file.
   Journal(const std::string& output_folder, const Study& study, const std::string& name);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
   /// Also keeps the run's summary, where the study asks for it. Throws InputError where the disk is full.
   void add(int run, const RunResult& result);
   /// So many processes were ended while they computed a run.
   void add_lost(int processes);
 
  private:
-  void write(const std::string& line);
-
   const Study& study_;
-  std::string output_folder_, path_;
-  int descriptor_ = -1;
-};
-
-/// Runs that have no result yet.
-struct MissingRuns {
-  std::string part;  ///< "3/100"; "" where no part has begun
-  std::vector<int> runs;
-  std::string holder;   ///< "process 71 on node3" that works on the part, or may; "" where none does
-  std::string command;  ///< that does them
+  std::string output_folder_;
+  JournalFile file_;
 };
 
 /// How a study was run.

@@ -4,7 +4,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
-#include "case/input_files.h"
+#include "base/fingerprint.h"
 #include "upbead/expected/distribution.h"
 
 namespace upbead {

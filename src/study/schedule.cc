@@ -1,4 +1,5 @@
-// Which runs stay together in one process, and in one part.
+#include "study/parts.h"
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -6,7 +7,6 @@
 #include <tuple>
 
 #include "base/text.h"
-#include "study/parts.h"
 
 namespace upbead {
 

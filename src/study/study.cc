@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/fingerprint.h"
 #include "base/version.h"
 #include "case/case_schema.h"
 #include "case/input_files.h"

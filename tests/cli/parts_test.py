@@ -144,7 +144,7 @@ class Parts(PartsTest):
         first = self.start_and_stop(out="parts")
         for part in ("1/2", "1/3"):
             done = self.part(part, code=1)
-            self.assertIn(f"part-1-of-2 of the study is at work in this folder, process {first.pid} on ", done.stderr)
+            self.assertIn(f"part-1-of-2 is at work in this folder, process {first.pid} on ", done.stderr)
             self.assertIn("wait until it has ended", done.stderr)
         self.assertIn("part-1-of-2", self.study("--out", "parts", code=1).stderr)
         self.part("2/2")
@@ -198,7 +198,7 @@ class Parts(PartsTest):
             environment = {**os.environ, "LD_PRELOAD": library, "DISK": mode}
             first = self.start_and_stop(out=mode, env=environment)
             refused = self.part("1/2", out=mode, code=1, env=environment)
-            self.assertIn("part-1-of-2 of the study is at work", refused.stderr)
+            self.assertIn("part-1-of-2 is at work", refused.stderr)
             self.part("2/2", out=mode, env=environment)
             self.go_on(first)
             self.expect_whole(mode)

@@ -113,6 +113,10 @@ class ReducedCircles(ProgramTest):
         self.assertIsNotNone(worst)
         self.assertLessEqual(ways["overturning_margin"]["mean"],
                              lives["monte_carlo"]["base"]["least_overturning_margin"]["mean"] + 1e-9)
+        for k in (1, 2):
+            self.answer("expected", "life.toml", "--out", "parts", "--part", f"{k}/2")
+        self.assertEqual(self.answer("expected", "life.toml", "--out", "parts", "--merge")["monte_carlo"],
+                         lives["monte_carlo"])
 
 
 if __name__ == "__main__":

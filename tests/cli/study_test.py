@@ -246,7 +246,7 @@ class Study(StudyTest):
         first = self.start(40, "--jobs", "1")
         for arguments in ([], ["--jobs", "2"], ["--restart"]):
             done = self.study("--out", "killed", *arguments, code=1, jobs=None)
-            self.assertIn(f"another study works in this folder, process {first.pid} on ", done.stderr)
+            self.assertIn(f"another process works in this folder, process {first.pid} on ", done.stderr)
             self.assertIn("choose another folder with --out DIR", done.stderr)
         errors = first.communicate(timeout=300)[1]
         self.assertEqual(first.returncode, 0, errors)
@@ -262,7 +262,7 @@ class Study(StudyTest):
             os.kill(first.pid, signal.SIGSTOP)  # else it may have ended before the second one looks
             self.addCleanup(first.kill)
             done = self.study("--out", mode, code=1, env=environment)
-            self.assertIn("another study works in this folder", done.stderr)
+            self.assertIn("another process works in this folder", done.stderr)
             os.kill(first.pid, signal.SIGCONT)
             errors = first.communicate(timeout=300)[1]
             self.assertEqual(first.returncode, 0, errors)

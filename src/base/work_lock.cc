@@ -1,4 +1,4 @@
-#include "study/study_lock.h"
+#include "base/work_lock.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "study/results.h"
+#include "base/journal.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -148,7 +148,7 @@ bool take(const std::string& path) {
 
 /// What works where: "" of a file that excludes nothing else; equal ones go together.
 std::string division_of(const std::string& file) {
-  if (file == StudyLock::of_study) return file;
+  if (file == WorkLock::of_all) return file;
   const std::size_t of = file.find("-of-");
   return of == std::string::npos ? "" : file.substr(of);
 }
@@ -156,8 +156,8 @@ std::string division_of(const std::string& file) {
 [[noreturn]] void refuse(const std::string& output_folder, const fs::path& path) {
   const std::string file = path.filename().string(), text = text_of(path);
   const Owner owner = owner_in(text);
-  std::string what = "another study works in this folder";
-  if (file.find("-of-") != std::string::npos) what = path.stem().string() + " of the study is at work in this folder";
+  std::string what = "another process works in this folder";
+  if (file.find("-of-") != std::string::npos) what = path.stem().string() + " is at work in this folder";
   if (is_whole(owner, text)) what += ", process " + std::to_string(owner.pid) + " on " + owner.host;
   std::string cure = "wait until it has ended, or choose another folder with --out DIR";
   if (owner.system != this_process().system)
@@ -167,7 +167,7 @@ std::string division_of(const std::string& file) {
 
 }  // namespace
 
-StudyLock::StudyLock(const std::string& output_folder, const std::string& file) {
+WorkLock::WorkLock(const std::string& output_folder, const std::string& file) {
   const fs::path folder = journal_folder(output_folder);
   std::error_code code;
   fs::create_directories(folder, code);
@@ -182,19 +182,19 @@ StudyLock::StudyLock(const std::string& output_folder, const std::string& file) 
 }
 
 /// Of two that begin at once each makes its file before it looks, so that one of them at least sees the other.
-void StudyLock::exclude_others(const std::string& output_folder) const {
+void WorkLock::exclude_others(const std::string& output_folder) const {
   const std::string own = division_of(fs::path(path_).filename().string());
   std::error_code code;
   for (fs::directory_iterator entry(journal_folder(output_folder), code), end; !code && entry != end;
        entry.increment(code)) {
     const std::string file = entry->path().filename().string(), other = division_of(file);
-    const bool is_lock = file == of_study || entry->path().extension() == ".lock";
+    const bool is_lock = file == of_all || entry->path().extension() == ".lock";
     if (is_lock && !own.empty() && !other.empty() && other != own && !holder_of(output_folder, file).empty())
       refuse(output_folder, entry->path());
   }
 }
 
-StudyLock::~StudyLock() {
+WorkLock::~WorkLock() {
   if (text_of(path_) == this_process().text()) unlink(path_.c_str());
 }
 

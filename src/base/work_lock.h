@@ -1,4 +1,4 @@
-// One process at a time has a study's folder, or a part of the study.
+// One process at a time has the folder of a study's results, or a part of the work.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@ namespace upbead {
 /// A file in the folder's `journal`, which names this process. It comes into being whole, by link(2), of which one
 /// alone succeeds on network file systems, too; locks of the file system (flock) may hang there. A process that has
 /// ended on this machine holds nothing; of another machine nobody knows, and the message says which file to remove.
-class StudyLock {
+class WorkLock {
  public:
-  static constexpr const char* of_study = "lock";  ///< the file of a whole study: it excludes all parts
+  static constexpr const char* of_all = "lock";  ///< the file of all work: it excludes all parts
 
-  /// `file`: this one, or that of a part, which excludes the whole study and parts of another number of parts.
+  /// `file`: this one, or that of a part, which excludes all work and parts of another number of parts.
   /// Throws InputError where another process has it; never waits.
-  explicit StudyLock(const std::string& output_folder, const std::string& file = of_study);
+  explicit WorkLock(const std::string& output_folder, const std::string& file = of_all);
   /// Removes the file.
-  ~StudyLock();
-  StudyLock(const StudyLock&) = delete;
-  StudyLock& operator=(const StudyLock&) = delete;
+  ~WorkLock();
+  WorkLock(const WorkLock&) = delete;
+  WorkLock& operator=(const WorkLock&) = delete;
 
  private:
   void exclude_others(const std::string& output_folder) const;

@@ -1,9 +1,13 @@
-#include "study/parts.h"
+#include "base/parts.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 
-#include "study/study_lock.h"
+#include "base/journal.h"
+#include "base/launch.h"
+#include "base/work_lock.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -38,9 +42,26 @@ Part read_part(const std::string& text) {
   const bool has_bar = at < text.size() && text[at] == '/';
   part.of = number_at(text, ++at);
   if (!has_bar || at != text.size() || part.number < 1 || part.number > part.of || part.of > most_parts)
-    throw InputError({"--part " + text}, "is no part of a study",
+    throw InputError({"--part " + text}, "is no part",
                      "write K/N with K from 1 to N, and N at most " + std::to_string(most_parts) + ", as in 3/100");
   return part;
+}
+
+Part part_of_launch() {
+  const std::optional<Launch> launch = launch_of_environment();
+  const Launch mine = launch && launch->size > 1 ? *launch : launch_of_array();
+  return {mine.rank + 1, mine.size};
+}
+
+std::vector<Pieces> dealt_in_stretches(int n, int parts) {
+  std::vector<Pieces> dealt;
+  const auto end = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(n) * k / parts); };
+  for (int k = 0; k < parts; ++k) {
+    std::vector<int> stretch;
+    for (int i = end(k); i < end(k + 1); ++i) stretch.push_back(i);
+    dealt.push_back({stretch});
+  }
+  return dealt;
 }
 
 std::optional<int> parts_begun(const std::string& output_folder) {
@@ -57,16 +78,15 @@ std::optional<int> parts_begun(const std::string& output_folder) {
   return most;
 }
 
-std::vector<MissingRuns> missing_parts(const std::string& output_folder, const Study& study, const Results& results,
-                                       int parts) {
+std::vector<MissingRuns> missing_parts(const std::string& output_folder, const std::vector<Pieces>& dealt,
+                                       const std::function<bool(int)>& has_result) {
   std::vector<MissingRuns> list;
-  const std::vector<Pieces> dealt = deal(study, parts);
   for (std::size_t k = 0; k < dealt.size(); ++k) {
-    const Part part{static_cast<int>(k) + 1, parts};
+    const Part part{static_cast<int>(k) + 1, static_cast<int>(dealt.size())};
     MissingRuns missing{part.text(), {}, holder_of(output_folder, part.lock()), ""};
     for (const std::vector<int>& piece : dealt[k])
       for (const int run : piece)
-        if (!results[static_cast<std::size_t>(run)]) missing.runs.push_back(run);
+        if (!has_result(run)) missing.runs.push_back(run);
     if (missing.runs.empty()) continue;
     std::sort(missing.runs.begin(), missing.runs.end());
     list.push_back(missing);

@@ -1,6 +1,6 @@
 // Claim: a folder has one study at a time, or parts of one division, each once; also on a file system without hard
 // links, and none waits for a lock of the file system. What a process has left that was killed keeps nobody out of it.
-#include "study/study_lock.h"
+#include "base/work_lock.h"
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -35,17 +35,17 @@ extern "C" int flock(int descriptor, int operation) noexcept {
 }
 
 namespace upbead::test {
-namespace study_lock_test {
+namespace work_lock_test {
 
 namespace fs = std::filesystem;
 
-class StudyLockTest : public testing::TestWithParam<bool> {
+class WorkLockTest : public testing::TestWithParam<bool> {
  protected:
-  StudyLockTest() : folder_(fs::temp_directory_path() / ("upbead-lock-" + std::to_string(getpid()))) {
+  WorkLockTest() : folder_(fs::temp_directory_path() / ("upbead-lock-" + std::to_string(getpid()))) {
     fs::remove_all(folder_);
     has_links = GetParam();
   }
-  ~StudyLockTest() override {
+  ~WorkLockTest() override {
     has_links = true;
     fs::remove_all(folder_);
   }
@@ -60,9 +60,9 @@ class StudyLockTest : public testing::TestWithParam<bool> {
     fs::create_directories(file().parent_path());
     std::ofstream(file()) << text;
   }
-  std::string refusal(const std::string& of = StudyLock::of_study) const {
+  std::string refusal(const std::string& of = WorkLock::of_all) const {
     try {
-      const StudyLock lock(folder(), of);
+      const WorkLock lock(folder(), of);
       return "";
     } catch (const InputError& error) {
       return error.what();
@@ -70,7 +70,7 @@ class StudyLockTest : public testing::TestWithParam<bool> {
   }
   /// What a process writes into its lock.
   std::string own() const {
-    const StudyLock lock(folder());
+    const WorkLock lock(folder());
     return text();
   }
   /// The same of a process of that number that cannot be: the largest is 4194304.
@@ -82,9 +82,9 @@ class StudyLockTest : public testing::TestWithParam<bool> {
   fs::path folder_;
 };
 
-TEST_P(StudyLockTest, KeepsASecondOneOutWithPlaceAndCure) {
+TEST_P(WorkLockTest, KeepsASecondOneOutWithPlaceAndCure) {
   {
-    const StudyLock lock(folder());
+    const WorkLock lock(folder());
     const std::string refused = refusal();
     EXPECT_NE(refused.find(folder()), std::string::npos);
     EXPECT_NE(refused.find("process " + std::to_string(getpid())), std::string::npos) << refused;
@@ -94,10 +94,10 @@ TEST_P(StudyLockTest, KeepsASecondOneOutWithPlaceAndCure) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_P(StudyLockTest, OfAProcessThatWasKilledKeepsNobodyOut) {
+TEST_P(WorkLockTest, OfAProcessThatWasKilledKeepsNobodyOut) {
   const pid_t child = fork();
   if (child == 0) {
-    const StudyLock lock(folder());
+    const WorkLock lock(folder());
     _exit(0);  // without its destructor
   }
   siginfo_t how;
@@ -110,7 +110,7 @@ TEST_P(StudyLockTest, OfAProcessThatWasKilledKeepsNobodyOut) {
   EXPECT_FALSE(fs::exists(file()));
 }
 
-TEST_P(StudyLockTest, OfAProcessThatMayRunIsToldWithTheFileToRemove) {
+TEST_P(WorkLockTest, OfAProcessThatMayRunIsToldWithTheFileToRemove) {
   const std::string text = own(), host = text.substr(text.rfind(' ') + 1);
   const std::size_t system = text.find(' ', text.find(' ') + 1) + 1;
   for (const std::string& left : {std::string("1 2 another-bootpid:[1] elsewhere\n"), std::string(), std::string("12"),
@@ -124,10 +124,10 @@ TEST_P(StudyLockTest, OfAProcessThatMayRunIsToldWithTheFileToRemove) {
   EXPECT_EQ(refusal(), "") << "another process of that number";
 }
 
-TEST_P(StudyLockTest, OfAPartExcludesThatPartAndOtherDivisions) {
-  const StudyLock lock(folder(), "part-3-of-8.lock");
+TEST_P(WorkLockTest, OfAPartExcludesThatPartAndOtherDivisions) {
+  const WorkLock lock(folder(), "part-3-of-8.lock");
   EXPECT_EQ(refusal("part-4-of-8.lock"), "");
-  EXPECT_NE(refusal("part-3-of-8.lock").find("part-3-of-8 of the study is at work"), std::string::npos);
+  EXPECT_NE(refusal("part-3-of-8.lock").find("part-3-of-8 is at work"), std::string::npos);
   EXPECT_NE(refusal("part-3-of-80.lock"), "");
   EXPECT_NE(refusal("part-1-of-2.lock"), "");
   EXPECT_NE(refusal(), "");
@@ -136,12 +136,12 @@ TEST_P(StudyLockTest, OfAPartExcludesThatPartAndOtherDivisions) {
   EXPECT_EQ(holder_of(folder(), "part-4-of-8.lock"), "");
 }
 
-TEST_P(StudyLockTest, OfAStudyExcludesParts) {
-  const StudyLock lock(folder());
+TEST_P(WorkLockTest, OfAStudyExcludesParts) {
+  const WorkLock lock(folder());
   EXPECT_NE(refusal("part-3-of-8.lock"), "");
 }
 
-TEST_P(StudyLockTest, OfAnEndedPartDoesNotExcludeOthers) {
+TEST_P(WorkLockTest, OfAnEndedPartDoesNotExcludeOthers) {
   const std::string text = ended();
   std::ofstream(folder_ / "journal" / "part-3-of-8.lock") << text;
   EXPECT_EQ(refusal(), "");
@@ -149,7 +149,7 @@ TEST_P(StudyLockTest, OfAnEndedPartDoesNotExcludeOthers) {
   EXPECT_EQ(refusal("part-3-of-8.lock"), "");
 }
 
-TEST_P(StudyLockTest, IsHeldByOneOfManyThatFindOneLeft) {
+TEST_P(WorkLockTest, IsHeldByOneOfManyThatFindOneLeft) {
   leave(ended());
   int done[2], go[2];
   ASSERT_EQ(pipe(done) | pipe(go), 0);
@@ -159,7 +159,7 @@ TEST_P(StudyLockTest, IsHeldByOneOfManyThatFindOneLeft) {
       close(go[1]);
       char mark = 'r';
       try {
-        const StudyLock lock(folder());
+        const WorkLock lock(folder());
         mark = 'h';
         if (write(done[1], &mark, 1) != 1) _exit(1);
         if (read(go[0], &mark, 1) != 0) _exit(1);  // holds it until all have tried
@@ -176,7 +176,7 @@ TEST_P(StudyLockTest, IsHeldByOneOfManyThatFindOneLeft) {
   for (const int end : {done[0], done[1], go[0]}) close(end);
 }
 
-INSTANTIATE_TEST_SUITE_P(OnDisks, StudyLockTest, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(OnDisks, WorkLockTest, testing::Bool());
 
-}  // namespace study_lock_test
+}  // namespace work_lock_test
 }  // namespace upbead::test
