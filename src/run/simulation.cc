@@ -79,17 +79,25 @@ Simulation with_room(const Simulation& simulation) {
 
 namespace {
 
-Simulation divided(const Simulation& simulation) {
+/// What is assembled, to be changed: a copy where others have it, too, as M, C and K are large.
+std::shared_ptr<CompiledScene> taken(std::shared_ptr<const CompiledScene> compiled) {
+  if (compiled.use_count() > 1) return std::make_shared<CompiledScene>(*compiled);
+  return std::const_pointer_cast<CompiledScene>(std::move(compiled));
+}
+
+Simulation divided(Simulation simulation) {
   if (!simulation.processes()) return simulation;
   const Stopwatch watch;
-  const auto compiled = std::make_shared<CompiledScene>(*simulation.compiled());
+  std::shared_ptr<const CompiledScene> whole = simulation.compiled();
+  simulation = simulation.with([](auto& parts) { parts.compiled = nullptr; });
+  const std::shared_ptr<CompiledScene> compiled = taken(std::move(whole));
   const std::vector<int> index = divide(compiled->system, compiled->body_coordinates, simulation.processes());
   for (int& i : compiled->body_coordinates) i = index[static_cast<std::size_t>(i)];
   for (Vector& motion : compiled->caisson_motions) {
-    const Vector whole = motion;
+    const Vector of_all = motion;
     motion.resize(compiled->system.size());
     for (std::size_t i = 0; i < index.size(); ++i)
-      if (index[i] >= 0) motion[index[i]] = whole[static_cast<Eigen::Index>(i)];
+      if (index[i] >= 0) motion[index[i]] = of_all[static_cast<Eigen::Index>(i)];
   }
   return simulation.with([&](auto& parts) {
     parts.compiled = compiled;

@@ -1,7 +1,9 @@
 // Claims, on as many processes as mpirun starts: two models grow side by side until the first process finds their
-// difference settled, on all processes alike, also where others find something else or cannot read a model at all.
+// difference settled, on all processes alike, also where others find something else or cannot read a model at all;
+// what each has compared for itself is kept where all have it.
 #include <gtest/gtest.h>
 
+#include "run/accuracy/accuracy.h"
 #include "run/accuracy/side_by_side.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
@@ -104,6 +106,21 @@ TEST_F(SideBySideAmong, GoesOnWhereOneProcessCannotRead) {
     return 0.;
   });
   EXPECT_EQ(layout_of(part_).largest(n), n);
+}
+
+/// Where a mesh is made for the tolerance each process compares for itself: one with reduced models would wait in what
+/// follows for one without.
+TEST_F(SideBySideAmong, KeepsReducedModelsWhereAllHaveThem) {
+  const Layout layout = layout_of(part_);
+  for (const int lacks : {-1, 0, 1}) {
+    CellsCompared compared;
+    compared.error = {0.1 + rank_, 0.2 + rank_};
+    if (rank_ != lacks) compared.reduced.emplace();
+    agree(compared, layout);
+    EXPECT_EQ(compared.reduced.has_value(), lacks < 0);
+    EXPECT_EQ(compared.error.peak, 0.1);
+    EXPECT_EQ(compared.error.history, 0.2);
+  }
 }
 
 }  // namespace side_by_side_divided_test

@@ -53,6 +53,10 @@ struct CellsCompared {
 /// difference. Throws NumericsError as a march does.
 CellsCompared compare_cells(const Simulation& simulation);
 
+/// What each process has compared for itself: takes the errors that the first one has found, and reduced models only
+/// where all have them, as what follows is done by all or by none.
+void agree(CellsCompared& compared, const Layout& among);
+
 /// A bound of the error, from the change on cells half as large.
 ShearError with_margin(const ShearError& moved);
 

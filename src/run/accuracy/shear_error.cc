@@ -156,11 +156,10 @@ class Adaptation {
  private:
   /// Whether the error is small enough.
   bool measure(const Simulation& simulation, int n) {
-    accuracy_.compared = std::make_shared<const CellsCompared>(compare_cells(simulation));
-    ShearError found = accuracy_.compared->error;
-    among_.take_first(found.peak);
-    among_.take_first(found.history);
-    accuracy_.levels.push_back({n, found});
+    CellsCompared compared = compare_cells(simulation);
+    agree(compared, among_);
+    accuracy_.levels.push_back({n, compared.error});
+    accuracy_.compared = std::make_shared<const CellsCompared>(std::move(compared));
     const double error = driving(given_, accuracy_.levels.back().error);
     if (cells_.sum > 0.) scale_ = error / cells_.sum;
     return error <= aim_;
