@@ -142,6 +142,8 @@ Solution march_from(const Simulation& simulation, RestStart start, const Rest& r
   if (system.is_divided()) solution.response.final_state = joined(system, solution.response.final_state);
   solution.yielding = yielding_of(simulation, start, rest, laws, *soil, watch, *scheme->yielding(), solution);
   if (nodes.end) solution.contact = nodes.end();
+  if (solution.contact && system.is_divided())
+    solution.contact->found.solved->dissipated = solution.response.energy.back().friction;  // of all processes
   return solution;
 }
 

@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import time
+import unittest
 
 import h5py
 import numpy as np
@@ -32,6 +33,10 @@ SCENES = {
     "prescribed": ["mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0",
                    "loads.wave={boundary='bed', kind='pressure', pulse={shape='half_sine', peak=20e3, duration=0.3}}",
                    "time.scheme=generalised_alpha", "time.step=4e-3"],
+    # water beside the walls as a mass, and air in the pores that each cell has by its depth
+    "without seas": ["mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0",
+                     "regions.caisson.added_mass={seaward=9, landward=6}", "initial.water_level=6",
+                     "regions.seabed.saturation=0.99", "regions.seabed.air_by_depth=true"],
 }
 
 
@@ -42,6 +47,7 @@ STRAIN = [f"regions.{name}.strain={{reference_strain=1e-3, smallest_damping=0.05
 YIELDING = [*SCENES["rigid"], "time.end=0.3", "loads.impulse.factor=2",
             "regions.mound.law=mohr_coulomb", "regions.mound.strength={friction_angle=42, cohesion=2e3}",
             "regions.seabed.law=hysteretic", "regions.seabed.strain={reference_strain=1e-3}"]
+FRICTION = ["regions.caisson.interface.kind=friction", "loads.impulse.factor=5"]
 # tolerable residual of a stage of such soil, over the largest force (src/run/solve.h), by the tolerance of F_T
 RESIDUAL = 2e-4 * 5e-3
 
@@ -57,7 +63,7 @@ def launched(n, *arguments, by=()):
     # a container may forbid binding to cores and copying between processes
     launch = ["mpirun", "--quiet", "-n", n, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
               "btl_vader_single_copy_mechanism", "none"]
-    return [*map(str, launch), *by, PROGRAM, *map(str, arguments)]
+    return [*map(str, launch), *map(str, by), PROGRAM, *map(str, arguments)]
 
 
 def mpirun(n, *arguments, cwd, by=()):
@@ -141,6 +147,9 @@ class Processes(ProgramTest):
     def test_gives_the_same_answer(self):
         self.compare(SCENES["elastic"], [2, 3])
 
+    def test_gives_the_same_answer_with_added_mass_and_air_by_depth(self):
+        self.compare(SCENES["without seas"], [2, 3])
+
     def test_gives_the_same_answer_to_every_scene_on_two_to_four_at_length(self):
         for scene, keys in SCENES.items():
             with self.subTest(scene):
@@ -183,12 +192,35 @@ class Processes(ProgramTest):
                 self.assertAlmostEqual(found["largest"], there["largest"], delta=1e-5)
                 self.assertAlmostEqual(found["share"], there["share"], delta=0.02)  # some cells are at their strength's edge
 
+            self.expect_same_residual(both, alone)
+
+    def expect_same_residual(self, both, alone):
+        """What stays when all has come to rest, and what the contact has slipped and opened."""
+        of = [{each["start"]: each["residual"] for each in summary["nonlinear"]["bounds"]} for summary in (both, alone)]
+        self.assertEqual(of[0].keys(), of[1].keys())
+        for start, there in of[1].items():
+            for key in ("displacement_x", "displacement_y", "rotation", "pore_pressure"):
+                self.assertAlmostEqual(of[0][start][key] / there[key], 1, delta=1e-6, msg=f"{start} {key}")
+        self.assertEqual(both["contact"] is None, alone["contact"] is None)
+        if alone["contact"] is None:
+            return
+        there = alone["contact"]["solved"]
+        self.assertGreater(there["slip"], 1e-3)
+        self.assertGreater(there["open_steps"], 0)
+        for key in ("slip", "largest_slip", "least_contact", "least_normal_force", "dissipated"):
+            self.assertAlmostEqual(both["contact"]["solved"][key] / there[key], 1, delta=1e-6, msg=key)
+        for key in ("slip_steps", "open_steps"):
+            self.assertEqual(both["contact"]["solved"][key], there[key], key)
+
     def test_gives_the_same_soil_that_yields(self):
         self.compare_yielding(YIELDING, [2, 3])
 
+    def test_gives_the_same_soil_that_yields_with_friction_node_by_node(self):
+        self.compare_yielding([*YIELDING, *FRICTION, "time.end=0.2"], [2])
+
     def test_gives_the_same_soil_that_yields_on_two_to_four_with_and_without_friction_at_length(self):
         self.compare_yielding(YIELDING, [2, 3, 4])
-        self.compare_yielding([*YIELDING, "regions.caisson.interface.kind=friction", "loads.impulse.factor=5"], [2, 3, 4])
+        self.compare_yielding([*YIELDING, *FRICTION], [2, 3, 4])
 
     def test_writes_the_stresses_of_soil_that_yields(self):
         # not the share of the strength: where Mohr-Coulomb soil has lost all stress, it is 1 or less by round-off
@@ -320,6 +352,16 @@ class Processes(ProgramTest):
         self.assertEqual(both["discretisation"]["unknowns"], alone["discretisation"]["unknowns"])
         self.expect_same_history(2)
         self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
+
+    @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "a sanitizer needs more addresses than that")
+    def test_ends_on_all_where_one_has_no_memory(self):
+        little = 'test "$OMPI_COMM_WORLD_RANK" = 1 && ulimit -v $0; exec "$@"'
+        for limit in (700000, 950000):  # kB
+            done = mpirun(2, "run", CASE, *with_keys(["mesh.parameters.cells=2.5", "time.scheme=sdirk4"]), "--out", "none",
+                          by=("bash", "-c", little, limit), cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("the case does not fit in memory"), 1, done.stderr)
+            self.assertEqual(self.left_behind(), [])
 
     def test_says_once_what_is_not_done(self):
         for keys, what in (([*YIELDING, "regions.mound.densification={relative_density=0.5}"], "no soil packs denser"),
