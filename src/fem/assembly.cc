@@ -6,6 +6,7 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -22,9 +23,20 @@ using namespace dealii;
 
 namespace {
 
-/// Number of degrees of freedom of a cell that deforms; 0 for a rigid or absent cell, which is not solved for.
-unsigned weight(const Space& space, const DoFHandler<dim>::active_cell_iterator& cell) {
-  return space.region(cell).kind == RegionKind::rigid ? 0 : cell->get_fe().n_dofs_per_cell();
+/// By active cell index, twelve times the unknowns for which a cell counts: one that several cells hold counts for each
+/// of them in part. 0 for a rigid or absent cell, which is not solved for.
+std::vector<unsigned> weights_of(const Space& space) {
+  std::vector<unsigned> holders(space.dofs().n_dofs(), 0), weights;
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    if (space.has_matrices(cell))
+      for (const auto dof : dofs_of(cell)) ++holders[dof];
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    double sum = 0.;
+    if (space.has_matrices(cell))
+      for (const auto dof : dofs_of(cell)) sum += 12. / holders[dof];
+    weights.push_back(static_cast<unsigned>(std::lround(sum)));
+  }
+  return weights;
 }
 
 /// Pairs of cells with a common face, where a cut between processes would cost something. A face between cells of two
@@ -47,8 +59,7 @@ SparsityPattern neighbours(const Space& space, const std::vector<unsigned>& weig
 }  // namespace
 
 std::vector<bool> own_cells(const Space& space, const Processes& processes) {
-  std::vector<unsigned> weights;
-  for (const auto& cell : space.dofs().active_cell_iterators()) weights.push_back(weight(space, cell));
+  const std::vector<unsigned> weights = weights_of(space);
   std::vector<unsigned> owner(weights.size(), 0);
   SparsityTools::partition(neighbours(space, weights), weights, static_cast<unsigned>(processes.count()), owner,
                            SparsityTools::Partitioner::metis);

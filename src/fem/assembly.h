@@ -27,7 +27,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
               CaissonForces* forces, System& system, const AssemblyShare& share = {},
               const std::vector<InterfaceNode>& interface = {});
 
-/// By active cell index, whether a cell is this process's own. Divided by METIS: equal numbers of degrees of freedom,
+/// By active cell index, whether a cell is this process's own. Divided by METIS: equal numbers of unknowns,
 /// few faces between processes (Karypis & Kumar, SIAM J. Sci. Comput. 20 (1999) 359). Cells that are rigid or absent
 /// count 0.
 std::vector<bool> own_cells(const Space& space, const Processes& processes);

@@ -43,6 +43,9 @@ KINDS = {
     "a motion that is prescribed": [*MARCH, *DRY, "boundaries.left.displacement=level", "boundaries.right.displacement=level",
                                     "loads.shake={boundary='base', kind='acceleration', "
                                     "pulse={shape='half_sine', peak=1, duration=0.3}}"],
+    "added mass, air by depth": [*MARCH, *DRY, "regions.caisson.added_mass={seaward=9, landward=6}",
+                                 "initial.water_level=6", "regions.seabed.saturation=0.99",
+                                 "regions.seabed.air_by_depth=true"],
     "consolidation": [*MARCH, *DRY, *DARCY, "time.inertia=false"],
     "reduced, by name": [*MESH, "time.scheme=reduced"],
     "reduced, by choice of the program": MESH,
