@@ -41,6 +41,7 @@ struct ModeAnswer {
   std::string disagreement;            ///< of two methods by more than 0.1 in beta; "" where they agree
   std::vector<DesignValue> point;      ///< empty where none was found
   bool by_ground = false;              ///< its design point has been asked of a reduced model
+  bool by_history = false;             ///< it follows from F_T(t) of an assumed P(t)
   std::optional<double> ground_error;  ///< estimate for F_T there, over its peak; none where the ground is not asked
 };
 
@@ -63,7 +64,7 @@ struct ReliabilityAnswer {
   /// one at least.
   std::vector<std::string> left_out;
   std::vector<CodeRow> codes;
-  NumberedWarnings variables;  ///< what is doubtful in the distributions
+  NumberedWarnings variables;  ///< what is doubtful in the distributions and in the soils that they reach
 };
 
 /// The mode of that name. Throws std::invalid_argument where there is none.

@@ -49,6 +49,23 @@ std::shared_ptr<ModelledGround> ground_of(const Design& design) {
   return std::make_shared<ModelledGround>(design.tables, design.resolve(design.tables.dynamics->model), place);
 }
 
+AskGround asked_of(const std::shared_ptr<ModelledGround>& ground) {
+  if (!ground) return nullptr;
+  return [ground](const GroundWave& wave) { return ground->at(wave); };
+}
+
+/// Points whose soil the model of [dynamics] does not answer.
+NumberedWarnings unanswered(const SectionModel& model) {
+  if (model.n_unanswered() == 0) return {};
+  return {
+      {"soil_unanswered", static_cast<double>(model.n_unanswered()), 0., "1",
+       std::to_string(model.n_unanswered()) +
+           " points of the variables have a soil that the model of [dynamics] cannot answer, and count as failures; "
+           "the first: " +
+           model.why_unanswered(),
+       "make the model with a narrower box, or cut the variables by low and high"}};
+}
+
 /// `ground`: its soil is complete in the design.
 Work work_of(const Design& design, const std::shared_ptr<ModelledGround>& ground) {
   const DesignTables& tables = design.tables;
@@ -57,7 +74,7 @@ Work work_of(const Design& design, const std::shared_ptr<ModelledGround>& ground
   return {tables,
           random.names,
           random.list,
-          std::make_shared<SectionModel>(tables, ground),
+          std::make_shared<SectionModel>(tables, asked_of(ground)),
           space_of(random, design.document),
           {static_cast<std::uint32_t>(table.seed), table.samples, table.plain_samples},
           ground};
@@ -90,7 +107,9 @@ std::vector<DesignValue> values_at(const Work& work, const DesignPoint& point) {
 void add_point(const Work& work, const DesignPoint& point, bool by_ground, ModeAnswer& mode) {
   mode.point = values_at(work, point);
   mode.by_ground = by_ground;
-  if (by_ground) mode.ground_error = work.ground->error(work.model->at(work.space.physical(point.u)).wave);
+  if (!by_ground) return;
+  const SectionPoint there = work.model->at(work.space.physical(point.u));
+  if (there.ground().why_not.empty()) mode.ground_error = work.ground->error(there.wave);
 }
 
 /// A reduced model ends its own reduction by its error, so that its answers jump by far less than that; wider steps of
@@ -118,6 +137,7 @@ ModeAnswer mode_of(const Work& work, const SectionLimitState& state, const Desig
   mode.name = state.name;
   mode.meaning = state.meaning;
   mode.why_not = state.why_not;
+  mode.by_history = state.by_ground;
   if (!state.margin) return mode;
   const Margin margin = margin_of(work, state);
   if (asked(work, "form")) mode.methods.push_back(by_form(found));
@@ -147,6 +167,7 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
     }
     mode.meaning += (mode.meaning.empty() ? "" : ", or ") + all;
   }
+  mode.by_history = by_ground;
   if (!mode.why_not.empty()) return mode;
   const Margin margin = [model = work.model, space = work.space, tree, states, in_tree](const std::vector<double>& u) {
     const SectionPoint at = model->at(space.physical(u));
@@ -222,6 +243,7 @@ ReliabilityAnswer answer_of(const Design& given) {
   answer.system = tops_of(gates).front();
   answer.left_out = left_out_of(table, states);
   if (!answer.left_out.empty()) answer.modes.back().meaning += words_of_left_out(answer) + ", which cannot be asked";
+  append(answer.variables, unanswered(*work.model));
   answer.codes = code_rows(given, answer);
   return answer;
 }

@@ -29,6 +29,7 @@ struct GroundPoint {
   double force = 0.;              ///< largest F_T + mu U, with a push of still water (N/m)
   std::optional<double> holding;  ///< the resistance with which S is `sliding` (N/m)
   std::optional<WorstBase> base;  ///< none where the model has no readings of it
+  std::string why_not{};          ///< why the soil has no answer, which counts as a failure; then there is nothing else
 };
 
 /// Whether limit states by F_T are asked for: [reliability] dynamics, or a variable that acts on soil.

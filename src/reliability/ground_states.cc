@@ -23,9 +23,10 @@ double below_pressure(const WorstBase& base, double limit) {
 
 std::vector<SectionLimitState> ground_states(const SectionPoint& at, bool knows_base) {
   const double scale = at.section.friction * at.section.submerged_weight;
-  const auto state = [](const char* name, const char* meaning, std::function<double(const SectionPoint&)> margin,
-                        const std::string& why_not = "") {
-    return SectionLimitState{name, meaning, why_not.empty() ? std::move(margin) : nullptr, why_not, false, true};
+  using Of = std::function<double(const SectionPoint&)>;
+  const auto state = [](const char* name, const char* meaning, const Of& margin, const std::string& why_not = "") {
+    const Of answered = [margin](const SectionPoint& p) { return p.ground().why_not.empty() ? margin(p) : -1.; };
+    return SectionLimitState{name, meaning, why_not.empty() ? answered : Of(), why_not, false, true};
   };
   const std::string no_base = knows_base ? "" : "the model of [dynamics] has no readings of the base";
   const std::string no_pressure =

@@ -23,6 +23,7 @@ Check index_check(const Design& design, const ReliabilityAnswer& answer, const M
   Check check =
       check_of(FailureMode::failure_of_life, "reliability index of the life" + (whole ? "" : ", " + mode.name), "",
                mode.life.index, "modes." + mode.name + ".life.index", assumed_of(design));
+  if (mode.by_history) check.assumption += "; the course P(t) of the wave is assumed by [impact], and linear ground";
   if (whole && !answer.left_out.empty()) check.assumption += words_of_left_out(answer) + ": at most this index";
   check.by = mode.governing.empty() ? "formulas" : mode.governing;
   check.wave = answer.wave;

@@ -11,7 +11,7 @@ constexpr double least_height = 1e-3;
 
 }  // namespace
 
-SectionModel::SectionModel(const DesignTables& tables, std::shared_ptr<ModelledGround> ground)
+SectionModel::SectionModel(const DesignTables& tables, AskGround ground)
     : tables_(tables), wave_(random_wave(tables)), ground_(std::move(ground)) {
   for (const RandomFactor& factor : random_factors) factors_.push_back(factor.certain);
   for (const auto& [name, variable] : tables_.reliability->variables) {
@@ -60,7 +60,14 @@ void SectionModel::ask_ground(const std::vector<double>& x, double uplift, const
     const auto found = answered_.find(x);
     if (found != answered_.end()) return found->second;
     if (answered_.size() >= most_answers) answered_.clear();
-    return answered_[x] = ground_->at(asked);
+    try {
+      return answered_[x] = ground_(asked);
+    } catch (const NumericsError& error) {
+      if (n_unanswered_++ == 0) why_unanswered_ = error.what();
+      GroundPoint none;
+      none.why_not = error.what();
+      return answered_[x] = none;
+    }
   };
 }
 

@@ -28,17 +28,23 @@ struct SectionPoint {
   std::function<const GroundPoint&()> ground{};  ///< its answer, found when it is asked for; none without a ground
 };
 
+/// What a ground does in a wave. Throws NumericsError where its soil has no answer.
+using AskGround = std::function<GroundPoint(const GroundWave&)>;
+
 /// The section at values x of the variables of [reliability.variables], in the order of their names.
 class SectionModel {
  public:
   /// `tables`: of a design that check_reliability() has accepted.
-  explicit SectionModel(const DesignTables& tables, std::shared_ptr<ModelledGround> ground = nullptr);
+  explicit SectionModel(const DesignTables& tables, AskGround ground = nullptr);
   SectionModel(const SectionModel&) = delete;
   SectionModel& operator=(const SectionModel&) = delete;
   /// Throws std::invalid_argument where Goda's formulas do not accept x: a depth that is not above 0.
   SectionPoint at(const std::vector<double>& x);
   /// The numbers of the design, where all variables are certain: characteristic values.
   const std::vector<double>& certain() const { return certain_; }
+  /// Points whose soil has no answer, and why the first of them has none.
+  int n_unanswered() const { return n_unanswered_; }
+  const std::string& why_unanswered() const { return why_unanswered_; }
 
  private:
   void ask_ground(const std::vector<double>& x, double uplift, const DesignWave& wave, SectionPoint& out);
@@ -48,8 +54,10 @@ class SectionModel {
   std::vector<double> factors_;   ///< in the order of random_factors
   std::vector<double*> targets_;  ///< the number of each variable, in tables_ or factors_
   std::vector<double> certain_;
-  std::shared_ptr<ModelledGround> ground_;
+  AskGround ground_;
   std::map<std::vector<double>, GroundPoint> answered_;
+  int n_unanswered_ = 0;
+  std::string why_unanswered_;
 };
 
 /// A way to fail, with its margin: below 0 it fails. All margins are without unit, smooth where S or p_e is not.

@@ -46,6 +46,14 @@ TEST(GroundStates, GoOnWhereTheResultantHasLeftTheBase) {
   EXPECT_LT(margin("heel_pressure_dynamic", pressed(WorstBase::leaves, 0.9)), -1.1);
 }
 
+TEST(GroundStates, FailWhereASoilHasNoAnswer) {
+  GroundPoint none;
+  none.why_not = "it has not converged";
+  for (const char* name :
+       {"sliding_dynamic", "sliding_distance_dynamic", "overturning_dynamic", "heel_pressure_dynamic"})
+    EXPECT_EQ(margin(name, none), -1.) << name;
+}
+
 TEST(GroundStates, SayWhatTheyLack) {
   SectionPoint at = on(pressed(1., 2.));
   at.limits = {};

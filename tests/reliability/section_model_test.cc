@@ -51,6 +51,20 @@ double margin(SectionModel& model, const std::string& name, const std::vector<do
   return state_of(section_limit_states(model.at(model.certain()), {}), name).margin(model.at(x));
 }
 
+TEST(SectionModel, CountsAndTellsSoilsWithoutAnAnswer) {
+  DesignTables tables = section_with({{"a", variable("section.friction", 0.6, 0.1)}});
+  tables.dynamics.emplace();
+  SectionModel model(tables, [](const GroundWave& asked) -> GroundPoint {
+    if (asked.section.friction > 0.65) throw NumericsError("it has not converged");
+    return {3e6, 2e6, {}, {}};
+  });
+  EXPECT_EQ(model.at({0.6}).ground().why_not, "");
+  EXPECT_EQ(model.n_unanswered(), 0);
+  for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(model.at({0.7}).ground().why_not, "it has not converged");
+  EXPECT_EQ(model.n_unanswered(), 1);
+  EXPECT_EQ(model.why_unanswered(), "it has not converged");
+}
+
 TEST(SectionModel, PutsValuesWhereVariablesAct) {
   SectionModel model(section_with({{"a", variable("section.friction", 0.6, 0.1)},
                                    {"b", variable("force", 1., 0.1)},
