@@ -102,6 +102,19 @@ TEST_F(SoilStudy, HasWhatPressesOnTheBase) {
   }
 }
 
+TEST_F(SoilStudy, HasNoPressureOfAnEdgeThatTheResultantSurelyLeaves) {
+  Study study = study_of(static_cast<int>(least_soils), {{"sliding.submerged_weight", "6e5"}});
+  study.reads = {"base.peak_heel_pressure", "base.least_overturning_margin", "response.peak_shear"};
+  make_soil_families(study, every_run(study), "out", false, {});
+  Runner together(study, "out", true, false), alone(study, "out", false, false);
+  const RunResult a = together.run(3, [] {}), b = alone.run(3, [] {});
+  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+  ASSERT_TRUE(a.error_estimate) << a.why_own;
+  EXPECT_LT(*b.values[1], 0.99);
+  EXPECT_FALSE(a.values[0] || b.values[0]);
+  EXPECT_NEAR(*a.values[1] / *b.values[1], 1., 0.005);
+}
+
 TEST_F(SoilStudy, ThatReadsWhatIsNotHeldIsSolvedAlone) {
   Study study = study_of(static_cast<int>(least_soils));
   study.reads.emplace_back("base.peak_computed_pressure");
