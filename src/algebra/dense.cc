@@ -4,10 +4,16 @@
 // after petscsys.h, which it needs
 #include <petscblaslapack.h>
 
+#include <complex>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "blas_turn.h"
+
+extern "C" void zgesv_(const PetscBLASInt* n, const PetscBLASInt* n_columns, std::complex<double>* A,
+                       const PetscBLASInt* step_A, PetscBLASInt* pivots, std::complex<double>* B,
+                       const PetscBLASInt* step_B, PetscBLASInt* info);
 
 namespace upbead {
 
@@ -35,6 +41,18 @@ Eigen::MatrixXd product_of(const Columns& A, bool transposed, const Columns& B) 
   return C;
 }
 
+/// X of A X = B, by that routine.
+template <class Matrix, class Routine>
+Matrix solved(const Routine& gesv, Matrix A, Matrix B) {
+  const auto n = static_cast<PetscBLASInt>(A.rows()), n_columns = static_cast<PetscBLASInt>(B.cols());
+  PetscBLASInt info = 0;
+  std::vector<PetscBLASInt> pivots(static_cast<std::size_t>(n));
+  const auto turn = detail::blas_turn();
+  gesv(&n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
+  if (info != 0) B.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return B;
+}
+
 }  // namespace
 
 Eigen::MatrixXd product(const Columns& A, const Columns& B) {
@@ -46,13 +64,11 @@ Eigen::MatrixXd transposed_product(const Columns& A, const Columns& B) {
 }
 
 Eigen::MatrixXd solve_dense(Eigen::MatrixXd A, Eigen::MatrixXd B) {
-  const auto n = static_cast<PetscBLASInt>(A.rows()), n_columns = static_cast<PetscBLASInt>(B.cols());
-  PetscBLASInt info = 0;
-  std::vector<PetscBLASInt> pivots(static_cast<std::size_t>(n));
-  const auto turn = detail::blas_turn();
-  LAPACKgesv_(&n, &n_columns, A.data(), &n, pivots.data(), B.data(), &n, &info);
-  if (info != 0) B.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return B;
+  return solved(LAPACKgesv_, std::move(A), std::move(B));
+}
+
+Eigen::MatrixXcd solve_complex(Eigen::MatrixXcd A, Eigen::MatrixXcd B) {
+  return solved(zgesv_, std::move(A), std::move(B));
 }
 
 }  // namespace upbead

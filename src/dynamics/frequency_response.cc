@@ -1,6 +1,6 @@
 #include "dynamics/frequency_response.h"
 
-#include <Eigen/LU>
+#include "algebra/dense.h"
 
 namespace upbead {
 
@@ -22,7 +22,7 @@ Eigen::MatrixXcd coordinates_at(const ReducedSystem& reduced, std::complex<doubl
   for (std::size_t k = 0; k < reduced.prescribed.size(); ++k)
     if (reduced.prescribed[k] >= 0) q.row(reduced.prescribed[k]) += F.row(static_cast<Eigen::Index>(k)) / s;
   const Eigen::MatrixXcd b = reduced.load * F - A.leftCols(p) * q.topRows(p);
-  q.bottomRows(n) = A.bottomRightCorner(n, n).partialPivLu().solve(b.bottomRows(n));
+  q.bottomRows(n) = solve_complex(A.bottomRightCorner(n, n), b.bottomRows(n));
   return q;
 }
 

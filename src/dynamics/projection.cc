@@ -1,5 +1,6 @@
 #include "dynamics/projection.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,9 @@ namespace {
 
 /// Row by row, so that a sparse matrix is read once for all columns.
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Columns that are multiplied at once: products with those behind them follow by symmetry, and are half of all.
+constexpr Eigen::Index projected_at_once = 64;
 
 /// V^T P.
 Eigen::MatrixXd gram_of(const Eigen::Ref<const Eigen::MatrixXd>& V, const Columns& P) {
@@ -129,8 +133,8 @@ Projection::Blocks Projection::blocks_of(const System& system, const FieldBasis&
   return {rows, scaled(system.M), scaled(system.C), scaled(system.K)};
 }
 
-Eigen::MatrixXd Projection::columns_of(const Group& group, Eigen::Index first) {
-  return group.basis.vectors(group.blocks.rows, Eigen::seq(first, group.basis.n() - 1));
+Eigen::MatrixXd Projection::columns_of(const Group& group) {
+  return group.basis.vectors(group.blocks.rows, Eigen::seqN(0, group.basis.n()));
 }
 
 void Projection::extend() {
@@ -152,23 +156,28 @@ void Projection::resize() {
 
 void Projection::project(Group& group) {
   const std::vector<int>& coordinate = group.basis.coordinate;
-  const Eigen::MatrixXd all = columns_of(group, 0);
-  const Columns added = all.rightCols(all.cols() - group.n_projected);
+  using ColumnsOfBasis = Eigen::Ref<const Eigen::MatrixXd>;
+  const bool on_all_rows = static_cast<Eigen::Index>(group.blocks.rows.size()) == group.basis.vectors.rows();
+  const Eigen::MatrixXd some = on_all_rows ? Eigen::MatrixXd() : columns_of(group);
+  const ColumnsOfBasis all = on_all_rows ? ColumnsOfBasis(group.basis.columns()) : ColumnsOfBasis(some);
   const bool alone = group.basis.layout.is_alone();
-  const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
-    if (alone && A.nonZeros() == 0) return;
-    Eigen::MatrixXd gram = gram_of(all, A * added);
-    group.basis.layout.add_up(gram);
-    for (Eigen::Index i = 0; i < gram.rows(); ++i)
-      for (Eigen::Index j = 0; j < gram.cols(); ++j) {
-        const int row = coordinate[i];
-        const int column = coordinate[group.n_projected + j];
-        reduced(row, column) = reduced(column, row) = gram(i, j);
-      }
-  };
-  fill(group.blocks.M, reduced_.M);
-  fill(group.blocks.C, reduced_.C);
-  fill(group.blocks.K, reduced_.K);
+  for (Eigen::Index first = group.n_projected; first < all.cols(); first += projected_at_once) {
+    const Eigen::Index n = std::min(projected_at_once, all.cols() - first);
+    const Columns added = all.middleCols(first, n);
+    const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
+      if (alone && A.nonZeros() == 0) return;
+      Eigen::MatrixXd gram = gram_of(all.leftCols(first + n), A * added);
+      group.basis.layout.add_up(gram);
+      for (Eigen::Index i = 0; i < gram.rows(); ++i)
+        for (Eigen::Index j = 0; j < n; ++j) {
+          const int row = coordinate[i], column = coordinate[first + j];
+          reduced(row, column) = reduced(column, row) = gram(i, j);
+        }
+    };
+    fill(group.blocks.M, reduced_.M);
+    fill(group.blocks.C, reduced_.C);
+    fill(group.blocks.K, reduced_.K);
+  }
   project_rows(group);
   project_loads(group);
   group.n_projected = group.basis.n();

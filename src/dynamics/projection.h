@@ -46,8 +46,8 @@ class Projection {
 
   static Blocks blocks_of(const System& system, const FieldBasis& basis);
   static Matrices matrices_of(const System& system, const FieldBasis& displacements, const FieldBasis& phi);
-  /// The basis on the rows of the group, from a column on.
-  static Eigen::MatrixXd columns_of(const Group& group, Eigen::Index first);
+  /// The basis on the rows of the group.
+  static Eigen::MatrixXd columns_of(const Group& group);
   void resize();
   void project(Group& group);
   void project_coupling();
