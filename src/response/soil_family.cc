@@ -254,6 +254,10 @@ double square_of_distance(const Factors& one, const Factors& other) {
   return square;
 }
 
+double tolerable_estimate(const SoilFamilyOptions& options) {
+  return options.of_estimates.value_or(options.tolerance);
+}
+
 /// Which candidates are far off, and how far.
 class Candidates {
  public:
@@ -298,7 +302,7 @@ class Candidates {
     }
     std::vector<int> list;
     for (const std::size_t i : by_estimate())
-      if (list.size() < n && estimates_[i] > options_.tolerance && points_.count(i) == 0)
+      if (list.size() < n && estimates_[i] > tolerable_estimate(options_) && points_.count(i) == 0)
         list.push_back(static_cast<int>(i));
     return list;
   }
@@ -371,7 +375,7 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     builder.tell(made.family);
     next = candidates.next(made.family, points_at_once);
     made.estimates.push_back(candidates.largest());
-    if (proven && candidates.largest() <= options.tolerance) break;
+    if (proven && candidates.largest() <= tolerable_estimate(options)) break;
     const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();
     next.resize(std::min(next.size(), left));
   }

@@ -36,8 +36,9 @@ struct SoilFamily {
 System without_matrices(System system);
 
 struct SoilFamilyOptions {
-  std::vector<Factors> candidates;  ///< soils of the box: the first is the first point, one of the others the next
-  double tolerance = 2e-3;          ///< of the histories of held_readings() over their peaks, for each candidate
+  std::vector<Factors> candidates;       ///< soils of the box: the first is the first point, one of the others the next
+  double tolerance = 2e-3;               ///< of the histories of held_readings() over their peaks, for each candidate
+  std::optional<double> of_estimates{};  ///< what candidates' estimates may be; the tolerance where there is none
   int most_points = 8;
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
@@ -50,11 +51,10 @@ struct SoilFamilyMade {
 };
 
 /// Solves soils, two side by side, each time that with the largest estimate (a greedy choice: Veroy, Prud'homme, Rovas
-/// and Patera 2003) and that which is least like all points, until all candidates meet the tolerance by their estimates
-/// and the last two did by their errors before they became points, or `most_points` are solved. From these errors
-/// follows the factor of the estimates. `affine` is of the
-/// bonded scene or, see with_slip(), of a caisson that slips; `like`: the bonded scene, compiled. Throws NumericsError
-/// as snapshots() does.
+/// and Patera 2003) and that which is least like all points, until all candidates meet `of_estimates` by their
+/// estimates and the last two the tolerance by their errors before they became points, or `most_points` are solved.
+/// From these errors follows the factor of the estimates. `affine` is of the bonded scene or, see with_slip(), of a
+/// caisson that slips; `like`: the bonded scene, compiled. Throws NumericsError as snapshots() does.
 SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, const CompiledScene& like,
                                 const SoilFamilyOptions& options);
 

@@ -115,6 +115,7 @@ SoilsMade make_soils(const Simulation& first, const std::vector<Scene>& soils, c
   making.candidates.push_back(affine.factors(coefficients_of(first.scene())));
   for (const Scene& soil : scenes) making.candidates.push_back(affine.factors(coefficients_of(soil)));
   making.tolerance = options.tolerance;
+  making.of_estimates = options.of_estimates;
   making.most_points = options.most_points;
   making.progress = options.progress;
   SoilFamilyMade made = make_soil_family(first.scene(), affine, *first.compiled(), making);

@@ -39,6 +39,7 @@ constexpr double share_of_tolerance = 0.6;
 
 struct SoilModelOptions {
   double tolerance = 2e-3;  ///< of the histories of held_readings() over their peaks, for each of the soils
+  std::optional<double> of_estimates{};  ///< see SoilFamilyOptions
   int most_points = 12;
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
