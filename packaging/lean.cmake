@@ -35,13 +35,25 @@ function(upbead_lean package commands)
   set(log ${UPBEAD_LEAN}/${package}.log)
   execute_process(COMMAND sh -euc "${fetch}" sh ${package} WORKING_DIRECTORY ${UPBEAD_LEAN}
     OUTPUT_FILE ${log} ERROR_FILE ${log} COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND sh -euc "${commands}" sh ${prefix} WORKING_DIRECTORY ${UPBEAD_LEAN}/${package}
+  execute_process(COMMAND sh -euc "${compile}${commands}" sh ${prefix} WORKING_DIRECTORY ${UPBEAD_LEAN}/${package}
     OUTPUT_FILE ${log} ERROR_FILE ${log} COMMAND_ERROR_IS_FATAL ANY)
   file(REMOVE_RECURSE ${UPBEAD_LEAN}/${package})
   file(TOUCH ${UPBEAD_LEAN}/made/${package})
 endfunction()
 
-# Of deal.II, in one and two dimensions, these sources. What they call besides, and nobody here, the linker throws away.
+# Each source of a folder given to a compiler, on all cores; and of the objects a library.
+set(compile [[
+compile() { # FOLDER COMPILER OPTIONS ...
+  folder=$1
+  shift
+  find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(nproc)" -I {} "$@" -w -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
+}
+unity="/usr/bin/python3 -B @here@/unity.py"
+]])
+string(REPLACE @here@ ${CMAKE_CURRENT_LIST_DIR} compile "${compile}")
+
+# Of deal.II, in one and two dimensions and in double precision alone, these sources, each folder in so many parts. What they
+# call besides, and nobody here, the linker throws away.
 set(base auto_derivative_function bounding_box conditional_ostream data_out_base exceptions function function_time
   geometric_utilities geometry_info hdf5 incremental_function index_set logstream mpi multithread_info parallel
   parameter_handler partitioner path_search patterns polynomial polynomial_space polynomials_barycentric
@@ -51,40 +63,61 @@ set(base auto_derivative_function bounding_box conditional_ostream data_out_base
   timer utilities)
 set(distributed shared_tria)
 set(dofs block_info dof_accessor dof_accessor_get dof_accessor_set dof_faces dof_handler dof_handler_policy
-  dof_objects dof_tools dof_tools_constraints number_cache)
+  dof_objects dof_tools number_cache)
+set(constraints dof_tools_constraints)
 set(fe block_mask component_mask fe fe_data fe_dgq fe_nothing fe_poly fe_pyramid_p fe_q fe_q_base fe_q_bubbles
-  fe_q_dg0 fe_q_iso_q1 fe_raviart_thomas_nodal fe_simplex_p fe_system fe_tools fe_tools_interpolate fe_values
-  fe_values_inst2 fe_values_inst3 fe_values_inst4 fe_values_inst5 fe_values_inst6 fe_wedge_p mapping
-  mapping_cartesian mapping_fe mapping_q mapping_q1)
+  fe_q_dg0 fe_q_iso_q1 fe_raviart_thomas_nodal fe_simplex_p fe_system fe_tools fe_tools_interpolate fe_values fe_wedge_p
+  mapping mapping_cartesian mapping_fe mapping_q mapping_q1)
 set(grid cell_id grid_generator grid_reordering grid_tools grid_tools_nontemplates intergrid_map manifold
   manifold_lib persistent_tria reference_cell tria tria_accessor tria_description tria_faces tria_levels
   tria_objects)
 set(hp fe_collection fe_values mapping_collection)
 set(lac affine_constraints block_vector dynamic_sparsity_pattern full_matrix la_parallel_block_vector
   la_parallel_vector lapack_full_matrix read_write_vector sparsity_pattern sparsity_tools vector vector_memory)
-set(matrix_free evaluation_template_factory evaluation_template_factory_inst2 evaluation_template_factory_inst3
-  evaluation_template_factory_inst4 evaluation_template_factory_inst5 evaluation_template_factory_inst6 shape_info)
+set(matrix_free evaluation_template_factory shape_info)
 set(multigrid mg_tools)
 set(non_matching immersed_surface_quadrature)
-set(numerics data_out data_out_dof_data data_out_dof_data_codim data_out_dof_data_inst2 data_postprocessor)
-foreach(folder base distributed dofs fe grid hp lac matrix_free multigrid non_matching numerics)
+set(numerics data_out data_out_dof_data data_out_dof_data_codim data_postprocessor)
+# Parts of a folder, which are compiled as one each; where none are given, one.
+set(parts_base 2)
+set(parts_fe 3)
+set(parts_grid 2)
+foreach(folder base distributed dofs constraints fe grid hp lac matrix_free multigrid non_matching numerics)
+  set(place ${folder})
+  if(folder STREQUAL "constraints")
+    set(place dofs)
+  endif()
+  set(n 0)
   foreach(source ${${folder}})
-    string(APPEND objects " source/${folder}/CMakeFiles/obj_${folder}_release.dir/${source}.cc.o")
+    set(part ${folder}_0)
+    if(DEFINED parts_${folder})
+      math(EXPR k "${n} % ${parts_${folder}}")
+      set(part ${folder}_${k})
+    endif()
+    string(APPEND text_${part} "#include \"${place}/${source}.cc\"\n")
+    file(WRITE ${UPBEAD_LEAN}/parts/${part}.cc "${text_${part}}")
+    math(EXPR n "${n} + 1")
   endforeach()
 endforeach()
-upbead_lean(deal.ii "
-sed -i '/^DIMENSIONS/s/{.*}/{ 1; 2 }/' cmake/config/template-arguments.in
+upbead_lean(deal.ii [[
+sed -i '/^DIMENSIONS/s/{.*}/{ 1; 2 }/; /^REAL_SCALARS  /s/double; float/double/; /^[^_]*<float>/d; /^ *float;$/d; /LinearAlgebra::/d
+  s/@DEAL_II_EXPAND_FLOAT_VECTORIZED@;//
+  /^VECTOR_TYPES/,/}/s/ BlockVector<double>;/ LinearAlgebra::distributed::BlockVector<double>;/' cmake/config/template-arguments.in
 sed -i 's/space_dimension : DIMENSIONS/space_dimension : SPACE_DIMENSIONS/' source/grid/tria_accessor.inst.in
-cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDEAL_II_ALLOW_AUTODETECTION=OFF \\
-  -DDEAL_II_ALLOW_BUNDLED=OFF -DDEAL_II_ALLOW_PLATFORM_INTROSPECTION=OFF -DDEAL_II_HAVE_FP_EXCEPTIONS=FALSE \\
-  -DDEAL_II_UNITY_BUILD=OFF -DDEAL_II_WITH_BOOST=ON -DDEAL_II_WITH_LAPACK=ON -DDEAL_II_WITH_METIS=ON \\
-  -DDEAL_II_WITH_COMPLEX_VALUES=OFF '-DDEAL_II_CXX_FLAGS=-std=c++17 -ffunction-sections -fdata-sections'
-cd build
-ninja ${objects}
-mkdir -p $1/lib $1/include
-ar qc $1/lib/libdeal_II.a ${objects}
-cp -r ../include/deal.II include/deal.II $1/include
-")
+grep -rlZ 'define SPLIT_INSTANTIATIONS_COUNT' source | xargs -0 sed -i 's/\(define SPLIT_INSTANTIATIONS_COUNT\) .*/\1 1/'
+cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DDEAL_II_ALLOW_AUTODETECTION=OFF \
+  -DDEAL_II_ALLOW_BUNDLED=OFF -DDEAL_II_ALLOW_PLATFORM_INTROSPECTION=OFF -DDEAL_II_HAVE_FP_EXCEPTIONS=FALSE \
+  -DDEAL_II_UNITY_BUILD=OFF -DDEAL_II_WITH_BOOST=ON -DDEAL_II_WITH_LAPACK=ON -DDEAL_II_WITH_METIS=ON \
+  -DDEAL_II_WITH_COMPLEX_VALUES=OFF
+ninja -C build expand_all_instantiations
+cp -r build/source .
+compile ../parts c++ -std=c++17 -O2 -DNDEBUG -DBOOST_NO_AUTO_PTR -DFE_EVAL_FACTORY_DEGREE_MAX=2 -Isource -Iinclude -Ibuild/include
+mkdir -p "$1/lib" "$1/include"
+rm -f "$1/lib/libdeal_II.a"
+ar qc "$1/lib/libdeal_II.a" ../parts/*.o
+cp -r include/deal.II build/include/deal.II "$1/include"
+]])
+
 upbead_lean(gmsh [[
 cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DDEFAULT=OFF -DENABLE_BUILD_LIB=ON -DENABLE_SYSTEM_CONTRIB=ON \
   -DEIGEN_INC=/usr/include/eigen3 -DENABLE_GMP=OFF -DENABLE_PARSER=ON -DENABLE_MESH=ON -DENABLE_POST=ON -DENABLE_ONELAB=ON \
@@ -93,12 +126,38 @@ cmake --build build --target lib
 install -D -m 644 -t "$1/lib" build/libgmsh.a
 install -D -m 644 -t "$1/include" api/gmsh.h
 ]])
+
+# Of PETSc vectors, matrices that MUMPS takes, and Newton's and Anderson's methods, with what these call. What is left out
+# answers by PETSc's error of what it does not support (56), and where PETSc starts its parts, by none. MUMPS brings ScaLAPACK
+# itself, and no Fortran is compiled.
 upbead_lean(petsc [[
+sed -i "s/\[self.scalapack,self.mpi,self.blasLapack,self.flibs\]/[self.mpi,self.blasLapack]/; s/\['C','FC'\]/['C']/" \
+  config/BuildSystem/config/packages/MUMPS.py
 /usr/bin/python3 ./configure PETSC_ARCH=lean --prefix="$1" --with-shared-libraries=0 --with-debugging=0 --with-x=0 --with-ssl=0 \
-  --with-hwloc=0 --with-fortran-bindings=0 --with-scalapack-lib=-lscalapack-openmpi --with-mumps-include=/usr/include \
-  --with-mumps-lib="-ldmumps -lmumps_common -lpord" COPTFLAGS="-O2 -ffunction-sections"
-make PETSC_DIR="$PWD" PETSC_ARCH=lean all
-make PETSC_DIR="$PWD" PETSC_ARCH=lean install
+  --with-hwloc=0 --with-fc=0 --with-cxx=0 --with-mumps-include=/usr/include --with-mumps-lib="-ldmumps -lmumps_common -lpord"
+PETSC_DIR="$PWD" PETSC_ARCH=lean /usr/bin/python3 config/gmakegen.py --petsc-arch=lean
+sed -i '1i #pragma once' src/mat/impls/sell/mpi/mpisell.h # its own guard ends before its text
+wanted="(sys|vec)/|mat/(interface|utils|order|partition|coarsen|color/interface|matfd)/[^/]*$|mat/impls/(is|shell|mffd|dummy)/"
+wanted="$wanted|mat/impls/(aij|baij|sbaij|dense)/(seq|mpi)/[^/]*$|mat/.*/mumps/|dm/(interface|label|impls/shell|dt/interface|field/interface)/"
+wanted="$wanted|dm/dt/(fe|fv|space|dualspace)/interface/|dm/partitioner/interface/|ksp/(ksp|pc)/interface/|ksp/ksp/impls/(gmres|preonly)/[^/]*$"
+wanted="$wanted|ksp/pc/impls/(none|factor|shell|factor/lu|factor/cholesky)/[^/]*$|snes/(interface|mf|utils)/[^/]*$|snes/impls/(ls|ngmres)/"
+wanted="$wanted|snes/linesearch/"
+unwanted="draw/impls/(image|tikz)|viewer/impls/(vtk|vu)|/pf/|/ao/|tagger|totalview|sys/python|window"
+sed -n 's/^srcs-.*\.c := //p' lean/lib/petsc/conf/files | tr ' ' '\n' | grep -E "^src/($wanted)" | grep -vE "$unwanted" | $unity . 40 parts
+options="-O1 -D_GNU_SOURCE -Ilean/include -Iinclude $(mpicc --showme:compile)"
+compile parts cc $options
+mkdir -p absent "$1/lib/pkgconfig" "$1/include"
+nm parts/*.o | awk 'NF == 3 && $2 != "U" {print $3}' | sort -u > there
+nm parts/*.o | awk '$1 == "U" {print $2}' | sort -u | comm -23 - there |
+  grep -E '^(AO|Characteristic|DM|IS|KSP|Mat|PC|PETSC|Petsc|PF|SNES|TS|Tao|Vec)' | awk '
+    /_CLASSID$|^[A-Z]+_|^DMNetwork_|Citation|cite$|List$/ { print "long " $1 "[64];"; next } # data, such as numbers of events
+    { print "int " $1 "(void) { return " (/Initialize|Register|Server/ ? 0 : 56) "; }" }' > absent/absent.c
+compile absent cc
+rm -f "$1/lib/libpetsc.a"
+ar qc "$1/lib/libpetsc.a" parts/*.o absent/*.o
+cp -r include/* lean/include/*.h "$1/include"
+printf '#define PETSC_FUNCTION_NAME_CXX __func__\n#define PETSC_CXX_RESTRICT __restrict__\n' >> "$1/include/petscconf.h"
+cp lean/lib/pkgconfig/* "$1/lib/pkgconfig"
 ]])
 
 list(PREPEND CMAKE_PREFIX_PATH ${prefix})
