@@ -118,13 +118,24 @@ ar qc "$1/lib/libdeal_II.a" ../parts/*.o
 cp -r include/deal.II build/include/deal.II "$1/include"
 ]])
 
+# Of gmsh what reads scripts and meshes, and meshes.
 upbead_lean(gmsh [[
 cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DDEFAULT=OFF -DENABLE_BUILD_LIB=ON -DENABLE_SYSTEM_CONTRIB=ON \
   -DEIGEN_INC=/usr/include/eigen3 -DENABLE_GMP=OFF -DENABLE_PARSER=ON -DENABLE_MESH=ON -DENABLE_POST=ON -DENABLE_ONELAB=ON \
-  -DENABLE_BLOSSOM=ON -DENABLE_BAMG=ON -DENABLE_MATHEX=ON '-DCMAKE_CXX_FLAGS=-ffunction-sections -fdata-sections'
-cmake --build build --target lib
-install -D -m 644 -t "$1/lib" build/libgmsh.a
-install -D -m 644 -t "$1/include" api/gmsh.h
+  -DENABLE_BLOSSOM=ON -DENABLE_BAMG=ON -DENABLE_MATHEX=ON '-DCMAKE_CXX_FLAGS=-ffunction-sections -fdata-sections -w' \
+  '-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG'
+alone="Numeric/robustPredicates|Mesh/BDS|Mesh/Background|Parser/Gmsh|contrib/b" # gmsh has them compiled with other options
+alone="$alone|meshGFaceBamg|meshGRegionBoundaryRecovery|gmshLevelset"           # their headers go with no others
+ninja -C build -t commands lib | sed -n "s:.* -c $PWD/::p" | grep -v api/ > sources
+{ echo Numeric/fullMatrix.cpp; grep -vE "Numeric/fullMatrix|$alone" sources; } | $unity . 24 parts # its specialisations come before their use
+compile parts c++ -std=gnu++11 -O1 -DNDEBUG $(ninja -C build -t commands lib | head -1 | grep -o -e '-I[^ ]*')
+objects=$(grep -E "$alone" sources | sed 's:.*:CMakeFiles/lib.dir/&.o:')
+ninja -C build $objects
+mkdir -p "$1/lib" "$1/include"
+rm -f "$1/lib/libgmsh.a"
+ar qc "$1/lib/libgmsh.a" parts/*.o
+(cd build && ar qc "$1/lib/libgmsh.a" $objects)
+cp api/gmsh.h "$1/include"
 ]])
 
 # Of PETSc vectors, matrices that MUMPS takes, and Newton's and Anderson's methods, with what these call. What is left out
