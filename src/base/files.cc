@@ -329,12 +329,27 @@ bool is_same(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, different);
 }
 
+/// Whether a folder has results, beside which case.toml is one of them; of `upbead scale` it is the only one.
+bool has_results(const fs::path& folder) {
+  std::string first_line;
+  std::getline(std::ifstream(folder / "case.toml"), first_line);
+  if (first_line.rfind("# Made by `upbead scale ", 0) == 0 || is_there(folder / "summary.json")) return true;
+  std::error_code code;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
+    if (const std::string ending = entry->path().extension().string(); ending == ".h5" || ending == ".csv") return true;
+  return false;
+}
+
 }  // namespace
 
 void require_inputs_kept(const std::string& folder, const std::vector<std::string>& outputs,
                          const std::vector<InputFile>& inputs) {
   const std::vector<fs::path> files = replaced_files(folder, outputs);
   Diagnostics mistakes;
+  const fs::path other = fs::path(folder) / "case.toml";
+  if (std::find(files.begin(), files.end(), other) != files.end() && is_there(other) && !has_results(folder))
+    mistakes.add({}, quoted_path(other.string()) + " would be written over, and lies beside no results",
+                 "move it, or choose another folder with --out DIR");
   for (const InputFile& input : inputs) {
     const auto taken =
         std::find_if(files.begin(), files.end(), [&](const fs::path& file) { return is_same(file, input.path); });

@@ -149,6 +149,21 @@ std::optional<UnitAtEnd> unit_at_end(const std::string& name) {
   return {};
 }
 
+std::string unread_unit(const std::string& name) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto is_small = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+  for (const std::string_view unit : {"kN", "KN", "MN", "kNm", "KNm", "MNm", "kPa", "KPa", "KPA", "kpa", "MPa", "MPA",
+                                      "mbar", "hPa", "HPA", "kgf", "mWS"})
+    for (std::size_t at = name.find(unit); at != std::string::npos; at = name.find(unit, at + 1)) {
+      const bool begins = at == 0 || !is_letter(name[at - 1]) || (is_small(name[at - 1]) && !is_small(unit.front()));
+      const std::size_t end = at + unit.size();
+      if (begins && (end == name.size() || !is_letter(name[end]))) return std::string(unit);
+    }
+  for (const char* unit : {"pascal", "newton", "millibar"})
+    if (lower(name).find(unit) != std::string::npos) return unit;
+  return "";
+}
+
 bool may_be_a_name(const std::string& unit) {
   static const Set names{"s", "m", "h", "g", "G", "min", "sec", "deg", "rad", "bar", "gal", "Gal"};
   return names.count(unit) != 0;

@@ -37,6 +37,10 @@ struct UnitAtEnd {
 /// Such a unit, if any; the longest that is known.
 std::optional<UnitAtEnd> unit_at_end(const std::string& name);
 
+/// A unit of force or pressure that stands in a name in a form that is not read, as in "U kN m-1", "{kPa}", "p1kPa",
+/// "ForceKN", "in MN per metre"; "" without one.
+std::string unread_unit(const std::string& name);
+
 /// Whether the end of a name may as well be a part of it: "x_s", "p_min", "u_m", where these are no units of the
 /// quantity.
 bool may_be_a_name(const std::string& unit);

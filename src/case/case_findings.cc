@@ -1,5 +1,7 @@
 #include "case/case_findings.h"
 
+#include <cmath>
+
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/case_schema.h"
@@ -112,6 +114,19 @@ Finding files_finding(const Case* input) {
   return f;
 }
 
+/// Warning implausible: a record and its reading that differ a hundredfold have two units.
+NumberedWarnings peaks_far_apart(const std::vector<MeasuredSummary>& measured) {
+  constexpr double most = 100.;
+  NumberedWarnings list;
+  for (const MeasuredSummary& m : measured)
+    if (const double ratio = std::abs(m.comparison.peak_ratio); ratio > 0. && (ratio > most || ratio < 1. / most))
+      list.push_back({"implausible", ratio, ratio > most ? most : 1. / most, "1",
+                      "measured." + m.name + ": the peak of " + m.reading + " is " + significant(ratio, 4) +
+                          " times the measured one",
+                      "give the unit of its column in brackets in the header: without one it is read in SI units"});
+  return list;
+}
+
 Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* records) {
   Finding f;
   f.keys = [](OutputSchema<Summary>& s) {
@@ -122,9 +137,10 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
     if (!records->empty())
       s.measured = compare_measured(*input, *records, histories(e.simulation, e.of(find_history).series));
   });
-  f.warnings = [records](const Evidence&, const Summary&) {
+  f.warnings = [records](const Evidence&, const Summary& s) {
     NumberedWarnings list;
     for (const MeasuredRecord& record : *records) append(list, record.notes.warnings);
+    append(list, peaks_far_apart(s.measured));
     return list;
   };
   f.skipped = [records](const Evidence&, const Summary&) {

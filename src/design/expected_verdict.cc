@@ -149,6 +149,24 @@ void add_impossible_seas(const std::vector<StateAnswer>& states, NumberedWarning
        "check significant_height (at the wall), period and water_depth"});
 }
 
+/// Warns where the waves are hardly numbers of waves: shares or percent of the time, or more than its years hold.
+void add_doubtful_numbers(double years, const ExpectedAnswer& answer, NumberedWarnings& list) {
+  constexpr double percent = 100., year = 365.25 * 86400.;
+  constexpr double of_mean = 1.25;  // T_1/3 is up to that many mean periods: Goda (2000)
+  double seconds = 0.;
+  for (const StateAnswer& s : answer.states) seconds += s.state.waves * s.state.period;
+  if (answer.all <= percent * (1. + 1e-6))
+    list.push_back({"few_waves", answer.all, percent, "1",
+                    "all sea states together have " + significant(answer.all, 4) + " waves in " +
+                        significant(years, 4) + " years: a share of the time is no number of waves",
+                    "give how many waves each row stands for: its share, times years over the mean period"});
+  if (const double longest = of_mean * years; seconds > longest * year)
+    list.push_back({"too_many_waves", seconds / year, longest, "years",
+                    "the waves of all sea states last " + significant(seconds / year, 4) + " years, longer than the " +
+                        significant(years, 4) + " years of the record",
+                    "check waves, period and years"});
+}
+
 /// Warns of waves that the depth would break, where only a cut or nothing limits the heights.
 void add_unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer, NumberedWarnings& list) {
   if (highest.breaking) return;
@@ -285,6 +303,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   const Limits& limits = design.tables.limits;
   if (design.tables.sea) {
     add_impossible_seas(answer.states, list);
+    add_doubtful_numbers(design.tables.sea->years, answer, list);
     add_unbroken_waves(design.tables.sea->highest, answer, list);
     add_below_goda(design, answer, list);
   }

@@ -116,12 +116,6 @@ class OnItsMesh {
     list_.push_back({"implausible", level, level < all_.low ? all_.low : all_.high, "m", text, cure});
   }
 
-  /// A power of ten is a load of unit size, whose response is a ratio.
-  static bool is_unit_load(double value) {
-    const double exponent = std::log10(value);
-    return std::abs(exponent - std::round(exponent)) < 1e-9;
-  }
-
   /// Largest value of the history as written, without the factor.
   static double peak_of(const Load& load, double end) {
     if (load.factor == 0. || load.history.kinks().empty()) return 0.;
@@ -152,11 +146,17 @@ class OnItsMesh {
       judge("loads." + name + ", its largest force", force,
             of(quantities::load_on_weight, caisson->body.mass * scene_.gravity, "N/m", "beside the caisson's weight"),
             list_);
-    const auto& sliding = scene_.sliding;
-    if (caisson && sliding && sliding->uplift && sliding->uplift->peak && !is_unit_load(*sliding->uplift->peak))
-      judge("sliding.uplift.peak", sliding->uplift->peak,
-            of(quantities::load_on_weight, caisson->body.mass * scene_.gravity, "N/m", "beside the caisson's weight"),
-            list_);
+    if (caisson && scene_.sliding && scene_.sliding->uplift) judge_uplift(*scene_.sliding->uplift);
+  }
+
+  void judge_uplift(const UpliftChoice& uplift) {
+    const double weight = simulation_.compiled()->caisson->body.mass * scene_.gravity;
+    double largest = 0.;  // of a history
+    if (!uplift.history.kinks().empty()) largest = extremum(uplift.history, 0., scene_.time.end, 1).value;
+    for (const auto& [key, value] : {std::pair{"sliding.uplift.peak", uplift.peak.value_or(0.)},
+                                     {"sliding.uplift.history, its largest uplift", largest}})
+      if (value > 0. && !is_unit_load(value))
+        judge(key, value, of(quantities::load_on_weight, weight, "N/m", "beside the caisson's weight"), list_);
   }
 
   const Simulation& simulation_;
@@ -198,11 +198,18 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
 
 namespace {
 
-void judge_fluid(const Fluid& fluid, NumberedWarnings& list) {
+/// Viscosity and the air's pressure only where a region uses them: `upbead scale` scales both.
+void judge_fluid(const Scene& scene, NumberedWarnings& list) {
+  const Fluid& fluid = scene.fluid;
+  const auto any = [&](const auto& uses) {
+    return std::any_of(scene.regions.begin(), scene.regions.end(), [&](const auto& r) { return uses(r.second); });
+  };
   judge("fluid.density", fluid.density, quantities::water_density, list);
   judge("fluid.bulk_modulus", fluid.bulk_modulus, quantities::water_modulus, list);
-  judge("fluid.viscosity", fluid.viscosity, quantities::viscosity, list);
-  judge("fluid.atmospheric_pressure", fluid.atmospheric_pressure, quantities::atmosphere, list);
+  if (any([](const Region& region) { return region.permeability.has_value(); }))
+    judge("fluid.viscosity", fluid.viscosity, quantities::viscosity, list);
+  if (any([](const Region& region) { return region.saturation < 1.; }))
+    judge("fluid.atmospheric_pressure", fluid.atmospheric_pressure, quantities::atmosphere, list);
 }
 
 void judge_soil(const std::string& at, const Region& region, NumberedWarnings& list) {
@@ -267,7 +274,7 @@ void judge_springs(const std::string& at, const BaseSupport& springs, double B, 
 NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
   const Scene& scene = simulation.given();
-  judge_fluid(scene.fluid, list);
+  judge_fluid(scene, list);
   for (const auto& [name, region] : scene.regions) {
     const std::string at = "regions." + name + ".";
     judge(at + "shear_modulus", region.shear_modulus, quantities::modulus, list);

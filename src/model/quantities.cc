@@ -29,6 +29,11 @@ std::optional<NumberedWarning> implausible(const std::string& key, double value,
   return NumberedWarning{"implausible", value, limit, q.unit, text, cure};
 }
 
+bool is_unit_load(double value) {
+  const double exponent = std::log10(value);
+  return std::abs(exponent - std::round(exponent)) < 1e-9;
+}
+
 void judge(const std::string& key, const std::optional<double>& value, const Quantity& quantity,
            NumberedWarnings& list) {
   if (!value) return;

@@ -34,6 +34,9 @@ std::string cure_of_unit(const MeantUnit& unit, double meant);
 /// is zero or infinite is none of a unit.
 std::optional<NumberedWarning> implausible(const std::string& key, double value, const Quantity& quantity);
 
+/// Whether a load is a power of ten: one of unit size, whose response is a ratio.
+bool is_unit_load(double value);
+
 /// Adds that warning, where there is one.
 void judge(const std::string& key, const std::optional<double>& value, const Quantity& quantity,
            NumberedWarnings& list);

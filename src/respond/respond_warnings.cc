@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "model/quantities.h"
 #include "respond/answered_wave.h"
 
 namespace upbead {
@@ -82,6 +83,22 @@ NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
            "displacement and not yet a collapse"}};
 }
 
+/// A warning where the largest force of all waves is none beside the caisson's weight in air.
+NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  double largest = 0.;
+  for (const WaveResponses& file : files)
+    if (file.force.size() > 0) largest = std::max(largest, static_cast<double>(file.force.cwiseAbs().maxCoeff()));
+  NumberedWarnings list;
+  if (!(model.caisson_mass > 0.) || !(largest > 0.) || is_unit_load(largest)) return list;
+  constexpr double g = 9.81;
+  const double weight = model.caisson_mass * g;
+  Quantity quantity = quantities::load_on_weight;
+  for (double* bound : {&quantity.low, &quantity.high, &quantity.common_low, &quantity.common_high}) *bound *= weight;
+  quantity.usual = "beside the caisson's weight";
+  judge("the largest force of the waves", largest, quantity, list);
+  return list;
+}
+
 }  // namespace
 
 NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files) {
@@ -109,8 +126,8 @@ std::string circle_text(const std::optional<CircleInWave>& circle) {
 
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   NumberedWarnings list;
-  for (const NumberedWarnings& more :
-       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
+  for (const NumberedWarnings& more : {force_warnings(model, files), band_warnings(model, files),
+                                       error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

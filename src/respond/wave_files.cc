@@ -69,6 +69,8 @@ std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, s
   const bool by_name = table.units[column].empty() && end && !may_be_a_name(end->unit);
   const double factor = factor_to_load(by_name ? end->unit : table.units[column], k, units, {table.path, 1, 1},
                                        "column " + in_quotes(table.names[column]));
+  if (!by_name && table.units[column].empty())
+    refuse_unread_unit(table.path, table.names[column], k < units.size() && !units[k].empty() ? units[k] : "N/m");
   std::vector<double> values = table.numbers(column);
   refuse_missing_marks(table, column);
   for (double& value : values) value *= factor;

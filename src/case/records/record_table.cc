@@ -74,13 +74,24 @@ bool is_hdf5(const std::string& path) {
   return ending == ".h5" || ending == ".hdf5" || is_hdf5_file(path);
 }
 
+void refuse_unread_unit(const std::string& path, const std::string& name, const std::string& si) {
+  const std::string unit = unread_unit(name);
+  if (unit.empty()) return;
+  throw InputError({path, 1, 1},
+                   "the name " + in_quotes(name) + " holds " + in_quotes(unit) + ", a unit that is not read there",
+                   "write the unit in brackets behind the name, one of " + units_like(si));
+}
+
 ColumnUnit unit_of_column(const CsvTable& table, std::size_t column, const std::string& si, const std::string& given) {
   const std::string& name = table.names[column];
   const std::string& written = given.empty() ? table.units[column] : given;
   const std::string is_none = " is none of " + (si == "s" ? "a time" : "what it should hold, " + si);
   if (written.empty()) {
     const auto end = unit_at_end(name);
-    if (!end || (end->known.si != si && may_be_a_name(end->unit))) return {si, 1., ColumnUnit::none};
+    if (!end || (end->known.si != si && may_be_a_name(end->unit))) {
+      refuse_unread_unit(table.path, name, si);
+      return {si, 1., ColumnUnit::none};
+    }
     if (end->known.si == si && end->unit == "G" && end->name.find(' ') == std::string::npos)
       throw InputError({table.path}, "the end of the name " + in_quotes(name) + " may be the unit g or a point G",
                        "write the unit in brackets behind the name");

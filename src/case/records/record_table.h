@@ -46,6 +46,10 @@ struct ColumnUnit {
   static constexpr const char* none = "as none is given";
 };
 
+/// Throws InputError where the name of a column without a unit holds one in a form that is not read; `si`: what it
+/// should hold.
+void refuse_unread_unit(const std::string& path, const std::string& name, const std::string& si);
+
 /// The unit of a column that holds a quantity whose SI unit is `si`: `given`, else that of the header, else one at the
 /// end of the name ("p1_kPa"), else `si`. Throws InputError where the unit is not known, or is one of another quantity.
 ColumnUnit unit_of_column(const CsvTable& table, std::size_t column, const std::string& si,

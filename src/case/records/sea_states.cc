@@ -102,6 +102,10 @@ void check_names(const CsvTable& table, RecordNotes& notes, Diagnostics& mistake
 /// Values in the unit of the key: degrees for angles, else SI.
 std::vector<double> values_of(const CsvTable& table, std::size_t c, const Column& column) {
   const ColumnUnit unit = unit_of_column(table, c, column.si);
+  if (column.name == "waves" && unit.factor != 1.)
+    throw InputError(
+        {table.path}, "the unit " + in_quotes(table.units[c]) + " of column 'waves' is no number of waves",
+        "give how many waves each row stands for: its share of the time, times years over the mean period");
   std::vector<double> values = converted(table, c, unit);
   if (column.name != "waves") refuse_missing_marks(table, c);  // any number of waves may be
   if (unit.given())
