@@ -47,6 +47,20 @@ TEST_F(InputsKept, TheSameNameInTheSameFolder) {
   EXPECT_EQ(refusal(".", "results.h5", "case.toml"), "");
 }
 
+/// case.toml of results lies beside them; alone it is somebody's own.
+TEST_F(InputsKept, ACaseOfOthersIsNotWrittenOver) {
+  std::ofstream("out/case.toml") << "title = \"mine\"\n";
+  EXPECT_NE(refusal("out", "case.toml", "case.toml").find("lies beside no results"), std::string::npos);
+  EXPECT_EQ(refusal("out", "results.h5", "case.toml"), "");
+  for (const char* result : {"out/summary.json", "out/reduced.h5", "out/study.csv"}) {
+    std::ofstream(result) << "";
+    EXPECT_EQ(refusal("out", "case.toml", "case.toml"), "") << result;
+    fs::remove(result);
+  }
+  std::ofstream("out/case.toml") << "# Made by `upbead scale a.toml --factor 20`: lengths times 20\n";
+  EXPECT_EQ(refusal("out", "case.toml", "case.toml"), "");
+}
+
 TEST_F(InputsKept, Links) {
   fs::create_symlink("../case.toml", "out/case.toml");
   EXPECT_NE(refusal("out", "case.toml", "case.toml"), "");

@@ -65,6 +65,15 @@ TEST_F(Records, TakeTheUnitAtTheEndOfAName) {
   }
 }
 
+TEST_F(Records, RefuseAUnitThatStandsWhereItIsNotRead) {
+  for (const std::string name : {"U kN m-1", "{kN/m}", "<kN/m>", "kN/m F", "ForceKN", "in MN per metre", "F_kNm",
+                                 "kPa p1", "p1:kPa", "p1kPa", "kiloPascal", "mWS"})
+    EXPECT_NE(refusal("t (s)," + name + "\n0,0\n1,4\n2,0\n").find("a unit that is not read there"), std::string::npos)
+        << name;
+  for (const std::string name : {"F", "impact", "Knee", "PMN1x", "wkNx", "force_total", "MNx"})
+    EXPECT_EQ(peak("t (s)," + name + "\n0,0\n1,4\n2,0\n"), 4.) << name;
+}
+
 TEST_F(Records, AskForAUnitThatIsNoneOfTheQuantity) {
   EXPECT_EQ(
       refusal("time_s,force_kN\n0,0\n0.05,100\n0.1,0\n"),

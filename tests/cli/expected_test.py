@@ -318,6 +318,23 @@ class Expected(ProgramTest):
         self.assertEqual([s["significant_height_possible"] for s in states], [False, True])
         self.assertAlmostEqual(states[0]["highest"], 11.274, delta=1e-3)
 
+    def test_shares_of_the_time_are_no_numbers_of_waves(self):
+        self.write_surf_zone("7,12,0.5\n5,10,99.5")
+        done = upbead("expected", "surf.toml", cwd=self.folder)
+        self.assertRegex(done.stderr, r"warning: few_waves: give how many .*\n +all sea states together have 100 waves in [\d.]+ years?")
+        states = self.folder / "states.csv"
+        states.write_text("significant_height,period,waves (%)\n7,12,0.5\n5,10,99.5\n")
+        done = upbead("expected", "surf.toml", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the unit '%' of column 'waves' is no number of waves; give how many waves each row stands for", done.stderr)
+
+    def test_waves_that_last_longer_than_their_record_are_told(self):
+        year = 365.25 * 86400
+        for share, told in ((1.3, True), (1.2, False)):
+            self.write_surf_zone(f"5,10,{share * year / 10}")
+            done = upbead("expected", "surf.toml", "--set", "sea.years=1", cwd=self.folder)
+            self.assertEqual("too_many_waves" in done.stderr, told, done.stderr)
+
     def test_water_levels_move_the_limit(self):
         self.write_surf_zone()
         (self.folder / "states.csv").write_text("significant_height,period,waves,water_level\n7.5,12,3000,0\n"

@@ -82,6 +82,15 @@ reading = "shear_force"
         self.assertAlmostEqual(ratios[0], 1, 9)
         self.assertAlmostEqual(ratios[1], 2, 6)
 
+    def test_a_record_a_thousand_times_smaller_has_another_unit(self):
+        self.run_scene()
+        time, force = self.history("history/time", "history/shear_force")
+        record = SCENE + '[measured.lab]\nfile = "lab.csv"\nreading = "shear_force"\n'
+        for unit, told in (("", True), (" (kN/m)", False)):
+            (self.folder / "lab.csv").write_text(f"t (s),F_T{unit}\n" + "".join(f"{t!r},{f / 1e3!r}\n" for t, f in zip(time, force)))
+            warnings = [w["text"] for w in self.run_scene(text=record)["warnings"] if w["name"] == "implausible"]
+            self.assertEqual(any("the peak of shear_force is 1000 times the measured one" in text for text in warnings), told, warnings)
+
     def test_mistakes_are_told_before_anything_is_solved(self):
         (self.folder / "lab.csv").write_text("t (s),F (m)\n0,1\n1,2\n")
         told = self.run_scene(code=1, text=SCENE + """

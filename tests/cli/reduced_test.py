@@ -149,6 +149,14 @@ class Reduced(ProgramTest):
         self.assertRegex(done.stderr, r"^warning: no_error_estimate: make the model again with 'upbead reduce'\n +the model holds nothing .* is null\n$")
         self.assertIsNone(json.loads(done.stdout)["waves"][0]["error_estimate"])
 
+    def test_respond_warns_of_forces_that_are_none_beside_the_weight(self):
+        self.make_model_and_waves()
+        for peak, told in ((2.5, True), (2.5e6, False)):
+            (self.folder / "w.csv").write_text(f"time,P\n0,0\n0.1,{peak}\n0.2,0\n")
+            done = self.respond("model.h5", "w.csv")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("implausible: if it was meant in " in done.stderr, told, done.stderr)
+
     def test_respond_refuses_wrong_input_and_writes_nothing(self):
         self.make_model_and_waves(loads=("impact", "slow"))
         before = self.left_behind()

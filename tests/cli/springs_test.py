@@ -337,6 +337,13 @@ class Springs(ProgramTest):
         told = [w["text"] + w["cure"] for w in summary["warnings"] if w["name"] == "implausible"]
         self.assertTrue(any("regions.caisson.springs.rotation" in text and "kN" in text for text in told), told)
 
+    def test_a_scaled_case_is_not_warned_of_numbers_that_it_does_not_use(self):
+        upbead("scale", "case.toml", "--factor", "0.05", "--out", "small", cwd=self.folder)
+        done = upbead("explain", "small/case.toml", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for key in ("fluid.viscosity", "fluid.atmospheric_pressure"):
+            self.assertNotIn(key, done.stderr)
+
     def test_scaled_by_froude_it_swings_alike(self):
         done = upbead("scale", "case.toml", "--factor", "0.05", "--out", "model", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
