@@ -25,9 +25,14 @@ $apt source "$1"
 mv "$1"-*/ "$1"
 ]])
 
+# Libraries of another recipe are made anew.
+file(SHA1 ${CMAKE_CURRENT_LIST_FILE} recipe)
+file(SHA1 ${CMAKE_CURRENT_LIST_DIR}/unity.py groups)
+string(SHA1 recipe "${recipe}${groups}")
+
 # upbead_lean(PACKAGE COMMANDS): fetches the source package and runs the commands of a shell in its folder, once.
 function(upbead_lean package commands)
-  if(EXISTS ${UPBEAD_LEAN}/made/${package})
+  if(EXISTS ${UPBEAD_LEAN}/made/${package}-${recipe})
     return()
   endif()
   message(STATUS "Building a lean ${package}: see ${UPBEAD_LEAN}/${package}.log")
@@ -38,7 +43,7 @@ function(upbead_lean package commands)
   execute_process(COMMAND sh -euc "${compile}${commands}" sh ${prefix} WORKING_DIRECTORY ${UPBEAD_LEAN}/${package}
     OUTPUT_FILE ${log} ERROR_FILE ${log} COMMAND_ERROR_IS_FATAL ANY)
   file(REMOVE_RECURSE ${UPBEAD_LEAN}/${package})
-  file(TOUCH ${UPBEAD_LEAN}/made/${package})
+  file(TOUCH ${UPBEAD_LEAN}/made/${package}-${recipe})
 endfunction()
 
 # Each source of a folder given to a compiler, on all cores; and of the objects a library.
@@ -48,7 +53,7 @@ compile() { # FOLDER COMPILER OPTIONS ...
   shift
   find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(nproc)" -I {} "$@" -w -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
 }
-unity="/usr/bin/python3 -B @here@/unity.py"
+unity() { /usr/bin/python3 -B "@here@/unity.py" "$@"; }
 ]])
 string(REPLACE @here@ ${CMAKE_CURRENT_LIST_DIR} compile "${compile}")
 
@@ -82,6 +87,7 @@ set(numerics data_out data_out_dof_data data_out_dof_data_codim data_postprocess
 set(parts_base 2)
 set(parts_fe 3)
 set(parts_grid 2)
+file(REMOVE_RECURSE ${UPBEAD_LEAN}/parts)
 foreach(folder base distributed dofs constraints fe grid hp lac matrix_free multigrid non_matching numerics)
   set(place ${folder})
   if(folder STREQUAL "constraints")
@@ -127,7 +133,7 @@ cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DDEFAULT=OFF -DENABLE_B
 alone="Numeric/robustPredicates|Mesh/BDS|Mesh/Background|Parser/Gmsh|contrib/b" # gmsh has them compiled with other options
 alone="$alone|meshGFaceBamg|meshGRegionBoundaryRecovery|gmshLevelset"           # their headers go with no others
 ninja -C build -t commands lib | sed -n "s:.* -c $PWD/::p" | grep -v api/ > sources
-{ echo Numeric/fullMatrix.cpp; grep -vE "Numeric/fullMatrix|$alone" sources; } | $unity . 24 parts # its specialisations come before their use
+{ echo Numeric/fullMatrix.cpp; grep -vE "Numeric/fullMatrix|$alone" sources; } | unity . 24 parts # its specialisations come before their use
 compile parts c++ -std=gnu++11 -O1 -DNDEBUG $(ninja -C build -t commands lib | head -1 | grep -o -e '-I[^ ]*')
 objects=$(grep -E "$alone" sources | sed 's:.*:CMakeFiles/lib.dir/&.o:')
 ninja -C build $objects
@@ -154,7 +160,7 @@ wanted="$wanted|dm/dt/(fe|fv|space|dualspace)/interface/|dm/partitioner/interfac
 wanted="$wanted|ksp/pc/impls/(none|factor|shell|factor/lu|factor/cholesky)/[^/]*$|snes/(interface|mf|utils)/[^/]*$|snes/impls/(ls|ngmres)/"
 wanted="$wanted|snes/linesearch/"
 unwanted="draw/impls/(image|tikz)|viewer/impls/(vtk|vu)|/pf/|/ao/|tagger|totalview|sys/python|window"
-sed -n 's/^srcs-.*\.c := //p' lean/lib/petsc/conf/files | tr ' ' '\n' | grep -E "^src/($wanted)" | grep -vE "$unwanted" | $unity . 40 parts
+sed -n 's/^srcs-.*\.c := //p' lean/lib/petsc/conf/files | tr ' ' '\n' | grep -E "^src/($wanted)" | grep -vE "$unwanted" | unity . 40 parts
 options="-O1 -D_GNU_SOURCE -Ilean/include -Iinclude $(mpicc --showme:compile)"
 compile parts cc $options
 mkdir -p absent "$1/lib/pkgconfig" "$1/include"

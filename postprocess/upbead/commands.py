@@ -71,7 +71,7 @@ def study(file: Case, set: Values = None, out: Place = None, jobs: int | None = 
     set, out, program
         As of `run`.
     jobs : int, optional
-        Runs at once; default: one per core. A study that was interrupted is continued.
+        Runs at once; default: one per core. A study that was interrupted is continued, unless a law of its soil is a function.
 
     Returns
     -------
@@ -124,7 +124,8 @@ def folder_of(file: Case, out: Place, ending: str) -> Path:
 
 def written(command: str, file: Case, values: Values, out: Place, program: Place, ending: str, more: list[Any] | tuple[()] = ()) -> Path:
     """Calls the program; returns the folder of its results."""
-    folder = folder_of(file, out, ending)
-    with answering(laws_of(file)) as variables:
-        call([command, as_file(file, folder, values), "--out", folder, *settings(values), *more], program, variables)
+    folder, laws = folder_of(file, out, ending), laws_of(file)
+    anew = ["--restart"] if laws and command == "study" else []  # what runs were made by other functions, nobody can tell
+    with answering(laws, raises=command != "study") as variables:
+        call([command, as_file(file, folder, values), "--out", folder, *settings(values), *more, *anew], program, variables)
     return folder

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import os
 import socket
 import socketserver
 import tempfile
@@ -21,6 +22,7 @@ from .errors import UpbeadError, UserError
 Array = NDArray[np.float64]
 WORD = "python"  # of the law in a case
 VARIABLE = "UPBEAD_STRESS_LAWS"
+LONGEST = 70  # bytes of a folder in which a socket may be: with its own name 107
 ROUND_OFF = 1e-9  # of the stress at rest, or of that at a strain of 1e-6: what a law may give without strain
 
 
@@ -49,7 +51,7 @@ class StressLaw:
         For n points at once: `strain` since rest (n x 3: xx, yy, xy, extension positive, xy half of gamma); `memory` of the points at the
         end of the last step (n x k), zero at rest; `soil`, SoilPoints. Returns the change of effective stress since rest (n x 4: xx, yy,
         xy, zz, Pa, tension positive), the memory with it, and the share of the strength that is mobilised (n). A strain of zero
-        at rest gives a change of zero.
+        at rest gives a change of zero. Never called twice at once.
     memory : int
         k, numbers that the law remembers of a point.
     """
@@ -102,7 +104,7 @@ class Points:
         return np.column_stack([stress, mobilised])
 
     def checked(self, strain: Array, memory: Array, soil: Array) -> tuple[Array, Array, Array]:
-        found = self.law.function(strain, memory.copy(), SoilPoints(soil[:, 0], soil[:, 1], soil[:, 2:]))
+        found = self.law.function(strain.copy(), memory.copy(), SoilPoints(soil[:, 0], soil[:, 1], soil[:, 2:]))
         n, k = len(strain), self.law.memory
         if not isinstance(found, tuple) or len(found) != 3:
             raise UserError(f"regions.{self.region}.law: give stress, memory and the share of the strength mobilised, three arrays")
@@ -134,8 +136,9 @@ class Conversation(socketserver.StreamRequestHandler):
 
     def answer(self, points: Points) -> tuple[Points, bytes]:
         soil, committed, asked = [self.numbers(n) for n in self.numbers(3, np.int64)]
-        points.add(soil.reshape(-1, 6))
-        return points, points.answer(committed, asked.reshape(-1, 4)).tobytes()
+        with self.server.turn:  # runs of a study ask at once
+            points.add(soil.reshape(-1, 6))
+            return points, points.answer(committed, asked.reshape(-1, 4)).tobytes()
 
     def replied(self, work: Callable[[], tuple[Points, bytes]]) -> Optional[Points]:
         try:
@@ -167,22 +170,24 @@ class Answering(socketserver.ThreadingUnixStreamServer):
     def __init__(self, path: Path, laws: dict[str, StressLaw]) -> None:
         self.laws = laws
         self.error: Optional[Exception] = None  # the first of a function
+        self.turn = threading.Lock()
         super().__init__(str(path), Conversation)
 
 
 @contextlib.contextmanager
-def answering(laws: dict[str, StressLaw]) -> Iterator[dict[str, str]]:
-    """Answers for the laws as long as the context lasts; gives the variables of the environment by which the program asks. An error of a
-    function is raised in place of what the program says of it."""
+def answering(laws: dict[str, StressLaw], raises: bool = True) -> Iterator[dict[str, str]]:
+    """Answers for the laws as long as the context lasts; gives the variables of the environment by which the program asks. `raises`: an error
+    of a function is raised in place of what the program says of it."""
     if not laws:
         yield {}
         return
-    with tempfile.TemporaryDirectory(prefix="upbead-") as folder, Answering(Path(folder) / "laws", laws) as server:
+    inside = tempfile.gettempdir() if len(os.fsencode(tempfile.gettempdir())) < LONGEST else "/tmp"
+    with tempfile.TemporaryDirectory(prefix="upbead-", dir=inside) as folder, Answering(Path(folder) / "laws", laws) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         try:
             yield {VARIABLE: str(server.server_address)}
         except UpbeadError as found:
-            if server.error is not None:
+            if raises and server.error is not None:
                 raise server.error from found
             raise
         finally:

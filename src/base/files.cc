@@ -332,12 +332,10 @@ bool is_same(const fs::path& a, const fs::path& b) {
 /// Whether a folder has results, beside which case.toml is one of them; of `upbead scale` it is the only one.
 bool has_results(const fs::path& folder) {
   std::string first_line;
-  std::getline(std::ifstream(folder / "case.toml"), first_line);
-  if (first_line.rfind("# Made by `upbead scale ", 0) == 0 || is_there(folder / "summary.json")) return true;
-  std::error_code code;
-  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
-    if (const std::string ending = entry->path().extension().string(); ending == ".h5" || ending == ".csv") return true;
-  return false;
+  std::ifstream file(folder / "case.toml");
+  std::getline(file, first_line);
+  return first_line.rfind("# Made by `upbead scale ", 0) == 0 || is_there(folder / "summary.json") ||
+         is_there(folder / "results.h5");
 }
 
 }  // namespace
@@ -347,7 +345,8 @@ void require_inputs_kept(const std::string& folder, const std::vector<std::strin
   const std::vector<fs::path> files = replaced_files(folder, outputs);
   Diagnostics mistakes;
   const fs::path other = fs::path(folder) / "case.toml";
-  if (std::find(files.begin(), files.end(), other) != files.end() && is_there(other) && !has_results(folder))
+  if (std::find(files.begin(), files.end(), other) != files.end() && is_there(other) && !has_results(folder) &&
+      std::none_of(inputs.begin(), inputs.end(), [&](const InputFile& input) { return is_same(other, input.path); }))
     mistakes.add({}, quoted_path(other.string()) + " would be written over, and lies beside no results",
                  "move it, or choose another folder with --out DIR");
   for (const InputFile& input : inputs) {

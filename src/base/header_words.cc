@@ -149,6 +149,22 @@ std::optional<UnitAtEnd> unit_at_end(const std::string& name) {
   return {};
 }
 
+namespace {
+
+/// Whether a number stands before this place: "at 50 kPa" is a value, no unit of a column.
+bool follows_a_number(const std::string& name, std::size_t at) {
+  const std::size_t last = at == 0 ? std::string::npos : name.find_last_not_of(" _", at - 1);
+  return last != std::string::npos && last + 1 < at && std::isdigit(static_cast<unsigned char>(name[last])) != 0;
+}
+
+/// Whether a number follows that is none of an exponent: MN1 and KN-2 are names of gauges.
+bool has_a_number(const std::string& name, std::size_t end) {
+  const std::size_t at = end < name.size() && name[end] == '-' ? end + 1 : end;
+  return at < name.size() && std::isdigit(static_cast<unsigned char>(name[at])) != 0;
+}
+
+}  // namespace
+
 std::string unread_unit(const std::string& name) {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto is_small = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
@@ -157,7 +173,9 @@ std::string unread_unit(const std::string& name) {
     for (std::size_t at = name.find(unit); at != std::string::npos; at = name.find(unit, at + 1)) {
       const bool begins = at == 0 || !is_letter(name[at - 1]) || (is_small(name[at - 1]) && !is_small(unit.front()));
       const std::size_t end = at + unit.size();
-      if (begins && (end == name.size() || !is_letter(name[end]))) return std::string(unit);
+      if (begins && (end == name.size() || !is_letter(name[end])) && !has_a_number(name, end) &&
+          !follows_a_number(name, at))
+        return std::string(unit);
     }
   for (const char* unit : {"pascal", "newton", "millibar"})
     if (lower(name).find(unit) != std::string::npos) return unit;

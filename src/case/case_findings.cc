@@ -120,10 +120,11 @@ NumberedWarnings peaks_far_apart(const std::vector<MeasuredSummary>& measured) {
   NumberedWarnings list;
   for (const MeasuredSummary& m : measured)
     if (const double ratio = std::abs(m.comparison.peak_ratio); ratio > 0. && (ratio > most || ratio < 1. / most))
-      list.push_back({"implausible", ratio, ratio > most ? most : 1. / most, "1",
-                      "measured." + m.name + ": the peak of " + m.reading + " is " + significant(ratio, 4) +
-                          " times the measured one",
-                      "give the unit of its column in brackets in the header: without one it is read in SI units"});
+      list.push_back(
+          {"implausible", ratio, ratio > most ? most : 1. / most, "1",
+           "measured." + m.name + ": the peak of " + m.reading + " is " + significant(ratio, 4) +
+               " times the measured one",
+           "look at the reading, the scale and the unit of its column, which is SI where its header has none"});
   return list;
 }
 

@@ -26,7 +26,7 @@ namespace upbead {
 
 namespace {
 
-constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3, exit_signal = 128;
+constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3;
 
 /// Suggests a command for a misspelt one; CLI11 would say of `upbead rum` only that a command is missing.
 void check_command(const std::vector<Command>& commands, const std::string& word) {

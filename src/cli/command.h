@@ -12,6 +12,8 @@
 
 namespace upbead {
 
+constexpr int exit_signal = 128;  ///< and the signal, where that ended the program
+
 /// Where the value of an option goes; a bool is a flag.
 using OptionValue = std::variant<bool*, int*, double*, std::string*, std::optional<double>*, std::vector<std::string>*>;
 

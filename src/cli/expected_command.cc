@@ -1,6 +1,8 @@
 // The command expected, whole or by parts.
+#include <algorithm>
 #include <iostream>
 
+#include "base/interrupt.h"
 #include "base/journal.h"
 #include "base/parts.h"
 #include "base/work_lock.h"
@@ -16,6 +18,15 @@ namespace {
 void require_lives(const Design& design, const std::string& option) {
   if (!design.tables.life)
     throw InputError({option}, "is of lives, and the design has none", "add a table [life], or leave out " + option);
+}
+
+int tell_lives_done(const Interrupted& interrupted, const Design& design, const DesignOptions& options,
+                    const Part& part, const std::vector<int>& lives) {
+  const KeptLives kept = read_lives(options.out, design, part.name() + "-");
+  std::cerr << "upbead: interrupted; "
+            << std::count_if(lives.begin(), lives.end(), [&kept](int life) { return kept.has(life); }) << " of "
+            << lives.size() << " lives of the part are done, the same command goes on with the rest\n";
+  return exit_signal + interrupted.signal();
 }
 
 /// Computes the lives of a part that have no result yet.
@@ -34,7 +45,12 @@ int compute_part(const Design& design, const DesignOptions& options) {
     if (!kept.has(life)) left.push_back(life);
   if (kept.torn > 0 && !left.empty())
     std::cerr << "upbead: lines of the journal that are not whole: " << kept.torn << "; their lives are done again\n";
-  keep_lives(options.out, design, left, part.name() + "-0");
+  try {
+    // a part without a life shows that it was begun
+    if (!left.empty() || lives.empty()) keep_lives(options.out, design, left, part.name() + "-0");
+  } catch (const Interrupted& interrupted) {
+    return tell_lives_done(interrupted, design, options, part, lives);
+  }
   const std::size_t resumed = lives.size() - left.size();
   const std::string next = command_line("expected", options, " --merge");
   std::cout << (options.json ? json_text({{"part", part.text()}, {"lives", lives.size()}, {"resumed", resumed}})

@@ -137,6 +137,7 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
   NumberedWarnings warnings = warnings_of_files(waves);
+  append(warnings, force_warnings(loaded.model, waves, responses));
   append(warnings, warnings_of_answers(loaded.model, responses));
   const Json summary = to_json(answered, responses, timing, warnings);
   const std::string json = json_text(summary);

@@ -10,7 +10,7 @@
 
 namespace upbead {
 
-constexpr int exit_failed_runs = 2, exit_signal = 128;
+constexpr int exit_failed_runs = 2;
 
 struct StudyOptions : CommonOptions {
   int jobs = 0;      ///< 0: one per core; of a part, one

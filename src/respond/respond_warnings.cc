@@ -83,20 +83,16 @@ NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
            "displacement and not yet a collapse"}};
 }
 
-/// A warning where the largest force of all waves is none beside the caisson's weight in air.
-NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
-  double largest = 0.;
-  for (const WaveResponses& file : files)
-    if (file.force.size() > 0) largest = std::max(largest, static_cast<double>(file.force.cwiseAbs().maxCoeff()));
-  NumberedWarnings list;
-  if (!(model.caisson_mass > 0.) || !(largest > 0.) || is_unit_load(largest)) return list;
-  constexpr double g = 9.81;
-  const double weight = model.caisson_mass * g;
-  Quantity quantity = quantities::load_on_weight;
-  for (double* bound : {&quantity.low, &quantity.high, &quantity.common_low, &quantity.common_high}) *bound *= weight;
-  quantity.usual = "beside the caisson's weight";
-  judge("the largest force of the waves", largest, quantity, list);
-  return list;
+/// Whether every load is a power of ten in its largest wave, or zero throughout.
+bool are_unit_loads(const std::vector<WaveFile>& files) {
+  for (const WaveFile& file : files)
+    for (int k = 0; k < file.n_loads; ++k) {
+      double largest = 0.;
+      for (int w = 0; w < file.n_waves(); ++w)
+        largest = std::max(largest, static_cast<double>(file.wave(w).row(k).cwiseAbs().maxCoeff()));
+      if (largest > 0. && !is_unit_load(largest)) return false;
+    }
+  return true;
 }
 
 }  // namespace
@@ -124,10 +120,27 @@ std::string circle_text(const std::optional<CircleInWave>& circle) {
   return significant(circle->factor, 4) + " " + circle->slips + when;
 }
 
+NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                                const std::vector<WaveResponses>& responses) {
+  double largest = 0.;
+  for (const WaveResponses& response : responses)
+    if (response.force.size() > 0)
+      largest = std::max(largest, static_cast<double>(response.force.cwiseAbs().maxCoeff()));
+  constexpr double g = 9.81;
+  const double weight = model.base ? model.base->weight : model.caisson_mass * g;
+  NumberedWarnings list;
+  if (!(weight > 0.) || are_unit_loads(files)) return list;
+  Quantity quantity = quantities::load_on_weight;
+  for (double* bound : {&quantity.low, &quantity.high, &quantity.common_low, &quantity.common_high}) *bound *= weight;
+  quantity.usual = "beside the caisson's weight";
+  judge("the largest force of the waves", largest, quantity, list);
+  return list;
+}
+
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   NumberedWarnings list;
-  for (const NumberedWarnings& more : {force_warnings(model, files), band_warnings(model, files),
-                                       error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
+  for (const NumberedWarnings& more :
+       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

@@ -13,6 +13,11 @@ namespace upbead {
 /// Warnings of how waves were read, and of waves that are zero throughout.
 NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files);
 
+/// Warning implausible where the largest force of all waves is none beside the caisson's weight; loads of unit size,
+/// powers of ten, are asked for ratios.
+NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                                const std::vector<WaveResponses>& responses);
+
 /// Waves beyond the model's frequencies, of a large error or without one, slips that could not be computed, slip
 /// circles.
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files);

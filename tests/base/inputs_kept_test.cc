@@ -51,8 +51,10 @@ TEST_F(InputsKept, TheSameNameInTheSameFolder) {
 TEST_F(InputsKept, ACaseOfOthersIsNotWrittenOver) {
   std::ofstream("out/case.toml") << "title = \"mine\"\n";
   EXPECT_NE(refusal("out", "case.toml", "case.toml").find("lies beside no results"), std::string::npos);
+  std::ofstream("out/wave.csv") << "t,p\n";
+  EXPECT_NE(refusal("out", "case.toml", "case.toml"), "");
   EXPECT_EQ(refusal("out", "results.h5", "case.toml"), "");
-  for (const char* result : {"out/summary.json", "out/reduced.h5", "out/study.csv"}) {
+  for (const char* result : {"out/summary.json", "out/results.h5"}) {
     std::ofstream(result) << "";
     EXPECT_EQ(refusal("out", "case.toml", "case.toml"), "") << result;
     fs::remove(result);

@@ -70,7 +70,8 @@ TEST_F(Records, RefuseAUnitThatStandsWhereItIsNotRead) {
                                  "kPa p1", "p1:kPa", "p1kPa", "kiloPascal", "mWS"})
     EXPECT_NE(refusal("t (s)," + name + "\n0,0\n1,4\n2,0\n").find("a unit that is not read there"), std::string::npos)
         << name;
-  for (const std::string name : {"F", "impact", "Knee", "PMN1x", "wkNx", "force_total", "MNx"})
+  for (const std::string name :
+       {"F", "impact", "Knee", "PMN1x", "wkNx", "force_total", "MNx", "MN1", "KN-2", "F at 50 kPa"})
     EXPECT_EQ(peak("t (s)," + name + "\n0,0\n1,4\n2,0\n"), 4.) << name;
 }
 

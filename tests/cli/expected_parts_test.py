@@ -20,7 +20,7 @@ from hand_made_model import write_oscillator  # noqa: E402
 
 HD10, PROTOTYPE = CASES / "section4/hd10.toml", CASES / "expected/prototype.toml"
 LIVES = ["--set", "life.simulated_lives=300", "--set", "scatter.force.cov=0.1", "--set", "scatter.friction.cov=0.1"]
-MANY = ["--set", "life.simulated_lives=20000", "--set", "scatter.force.cov=0.1"]
+MANY = ["--set", "life.simulated_lives=40000", "--set", "scatter.force.cov=0.1"]
 
 
 class ExpectedParts(ProgramTest):
@@ -63,6 +63,10 @@ class ExpectedParts(ProgramTest):
             self.assertIsNone(process.poll(), "it ended too soon")
             time.sleep(0.01)
         os.kill(process.pid, signal.SIGSTOP)
+        state = pathlib.Path(f"/proc/{process.pid}/stat")
+        while (now := state.read_text().rsplit(")", 1)[1].split()[0]) not in "TZ":
+            time.sleep(0.01)
+        self.assertEqual(now, "T", "it ended too soon")
         return process
 
     def test_joined_they_are_the_whole_to_the_last_bit(self):
@@ -102,7 +106,19 @@ class ExpectedParts(ProgramTest):
         process = self.start("1/2", *MANY)
         process.kill()
         process.communicate()
-        self.assertGreaterEqual(self.part("1/2", *MANY)["resumed"], 9)
+        resumed = self.part("1/2", *MANY)["resumed"]
+        self.assertTrue(9 <= resumed < 20000, resumed)
+        self.part("2/2", *MANY)
+        self.expect_whole(*MANY)
+
+    def test_interrupted_it_tells_what_is_done(self):
+        process = self.start("1/2", *MANY)
+        process.send_signal(signal.SIGINT)
+        os.kill(process.pid, signal.SIGCONT)
+        told = process.communicate(timeout=300)[1]
+        self.assertEqual(process.returncode, 128 + signal.SIGINT, told)
+        self.assertRegex(told, r"upbead: interrupted; \d+ of 20000 lives of the part are done, the same command goes on with the rest")
+        self.part("1/2", *MANY)
         self.part("2/2", *MANY)
         self.expect_whole(*MANY)
 

@@ -83,6 +83,25 @@ class Laws(unittest.TestCase):
             self.assertGreater(expected, 0, msg=key)
             self.assertAlmostEqual(found / expected, 1, delta=tolerance, msg=key)
 
+    def test_a_study_of_another_function_starts_anew(self):
+        def study(share):
+            case = column(law=lambda strain, memory, soil: (share * soil.elastic(strain), memory, 0 * strain[:, 0]))
+            return upbead.study({"case": case, "vary": {"loads.press.factor": {"values": [1e4, 2e4]}}, "read": ["energy.strain"]}, out=self.folder / "study", jobs=2)
+
+        stiff, soft = study(1.0)["energy.strain"], study(0.5)["energy.strain"]
+        self.assertTrue((soft > 1.2 * stiff).all(), (stiff, soft))
+
+    def test_a_run_whose_function_fails_is_told_with_its_reason(self):
+        def far(strain, memory, soil):
+            if np.abs(strain).max() > 2e-4:
+                raise ValueError("too far")
+            return elastic(strain, memory, soil)
+
+        with self.assertWarns(UserWarning):
+            table = upbead.study({"case": column(law=far), "vary": {"loads.press.factor": {"values": [1e3, 2e5]}}, "read": ["energy.strain"]}, out=self.folder / "study", jobs=1)
+        self.assertEqual((len(table), len(table.failed)), (1, 1))
+        self.assertIn("ValueError: too far", str(table.failed))
+
 
 class Mistakes(unittest.TestCase):
     def setUp(self):

@@ -76,10 +76,13 @@ bool is_hdf5(const std::string& path) {
 
 void refuse_unread_unit(const std::string& path, const std::string& name, const std::string& si) {
   const std::string unit = unread_unit(name);
-  if (unit.empty()) return;
+  const bool of_force = si == "N/m" || si == "Pa" || si == "N" || si == "N m/m" || si == "Nm/m";
+  if (unit.empty() || !of_force) return;
   throw InputError({path, 1, 1},
                    "the name " + in_quotes(name) + " holds " + in_quotes(unit) + ", a unit that is not read there",
-                   "write the unit in brackets behind the name, one of " + units_like(si));
+                   (is_hdf5(path) ? "give the dataset an attribute unit, one of "
+                                  : "write the unit in brackets behind the name, one of ") +
+                       units_like(si));
 }
 
 ColumnUnit unit_of_column(const CsvTable& table, std::size_t column, const std::string& si, const std::string& given) {
