@@ -26,7 +26,7 @@ LONGEST = 70  # bytes of a folder in which a socket may be: with its own name 10
 ROUND_OFF = 1e-9  # of the stress at rest, or of that at a strain of 1e-6: what a law may give without strain
 
 
-@dataclass(frozen=True)
+@dataclass
 class SoilPoints:
     """What is known of n points of soil: `shear_modulus` and `lame`, lambda (n, Pa), and the stress `at_rest` (n x 4: xx, yy, xy, zz, Pa,
     tension positive)."""
@@ -41,7 +41,7 @@ class SoilPoints:
         return np.column_stack([G2 * strain[:, 0] + mean, G2 * strain[:, 1] + mean, G2 * strain[:, 2], mean])
 
 
-@dataclass(frozen=True)
+@dataclass
 class StressLaw:
     """A law of stress for `law` of a region, to try one out: slow, as each evaluation of the ground asks Python.
 

@@ -44,6 +44,7 @@ Eigen::MatrixXd product_of(const Columns& A, bool transposed, const Columns& B) 
 /// X of A X = B, by that routine.
 template <class Matrix, class Routine>
 Matrix solved(const Routine& gesv, Matrix A, Matrix B) {
+  if (A.rows() == 0) return B;
   const auto n = static_cast<PetscBLASInt>(A.rows()), n_columns = static_cast<PetscBLASInt>(B.cols());
   PetscBLASInt info = 0;
   std::vector<PetscBLASInt> pivots(static_cast<std::size_t>(n));

@@ -230,6 +230,11 @@ void tell_laws(const std::string& name, const Region& region, ResolvedScene& res
   if (region.law != SoilLaw::elastic)
     resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
                                   "as the case says; where it yields nothing is linear, so it is marched", ""});
+  if (region.forchheimer)
+    resolved.decisions.push_back({name, "drag", "linear",
+                                  "at the velocity that the pore water has while all soil is elastic and the caisson "
+                                  "is bonded, settled when it is run",
+                                  ""});
   if (region.densification) resolved.decisions.push_back(tell_densification(name, *region.densification));
   if (region.cyclic && resolved.scene.cycles) resolved.decisions.push_back(tell_cyclic(name, *region.cyclic));
   if (region.strain_law && region.law == SoilLaw::elastic)

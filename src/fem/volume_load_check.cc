@@ -35,6 +35,10 @@ class VolumeLoadCheck {
       if (checker_.is(name, RegionKind::water))
         object("kind", "free water (region '" + name + "') does not feel gravity here",
                "remove the region, and give the water's pressure on bed, mound and walls as a load");
+      const auto region = checker_.scene.regions.find(name);
+      if (acts_on(load_, name) && region != checker_.scene.regions.end() && region->second.forchheimer)
+        object("kind", "the velocity by which drag in '" + name + "' grows leaves out the weight of its water",
+               "remove forchheimer, or the load from that region");
       if (acts_on(load_, name) && checker_.is(name, RegionKind::porous) && !checker_.has_pore_water(name))
         object("kind", "'" + name + "' is drained, so that nothing carries the weight of its water",
                "write flow = \"darcy\" in [regions." + name +

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -48,6 +49,7 @@ class Line {
     if (!complaint_.empty()) refuse(complaint_);
     for (const char* from = static_cast<const char*>(data); size > 0;) {
       const ssize_t sent = ::send(socket_, from, size, MSG_NOSIGNAL);
+      if (sent < 0 && errno == EINTR) continue;
       if (sent <= 0) refuse("it stopped listening");
       from += sent;
       size -= static_cast<std::size_t>(sent);
@@ -56,6 +58,7 @@ class Line {
   void receive(void* data, std::size_t size) {
     for (char* to = static_cast<char*>(data); size > 0;) {
       const ssize_t got = ::recv(socket_, to, size, 0);
+      if (got < 0 && errno == EINTR) continue;
       if (got <= 0) refuse("it stopped answering");
       to += got;
       size -= static_cast<std::size_t>(got);

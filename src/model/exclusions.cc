@@ -134,6 +134,13 @@ const Feature springs{"a caisson on springs",
 const Feature drag{"drag that grows with velocity",
                    [](const Scene& s) { return in_regions(s, &Region::forchheimer, "forchheimer"); }};
 
+const Feature asked_law{"a law of stress in Python", [](const Scene& s) {
+                          Keys keys;
+                          for (const auto& [name, region] : s.regions)
+                            if (region.law == SoilLaw::python) keys.push_back("regions." + name + ".law");
+                          return keys;
+                        }};
+
 constexpr std::array way_names{"`time.scheme = \"reduced\"`",
                                "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",
@@ -198,6 +205,7 @@ std::vector<Row> rows_of_the_rest() {
           {Treatment::checkpoints, contact, "a run with contact keeps none"},
           {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
           {Treatment::checkpoints, drag, "a run with such drag keeps none"},
+          {Treatment::checkpoints, asked_law, "its memory is in Python"},
           {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
            "give it kind = \"rigid\", or deformation = \"rigid\""},
           {Treatment::contact, springs, "springs at its middle do not lift from its edges",

@@ -206,6 +206,9 @@ class Checker {
     if (region_.forchheimer && region_.flow == Flow::drained)
       add("forchheimer", "flow = \"drained\" leaves out the pore water whose drag forchheimer tells",
           "remove one of them");
+    if (region_.forchheimer && region_.conductivity_ratio != 1.)
+      add("forchheimer", "drag that grows with velocity is that of stones, which are alike in all directions",
+          "remove forchheimer or conductivity_ratio");
     if (region_.air_by_depth && region_.saturation == 1.)
       add("air_by_depth", "air_by_depth without air: saturation is 1", "give a saturation below 1, or remove it");
     // with rigid grains the Biot coefficient is a measured number like any other, and the run warns of it; with

@@ -28,7 +28,8 @@ class Soil {
   explicit Soil(const Simulation& simulation) : scene_(simulation) {
     for (const auto& cell : simulation.space()->dofs().active_cell_iterators()) {
       const Region& region = simulation.space()->region(cell);
-      const bool follows = region.strain_law && simulation.space()->kind(cell) != CellKind::absent;
+      const bool follows =
+          region.strain_law && region.law == SoilLaw::elastic && simulation.space()->kind(cell) != CellKind::absent;
       follows_.push_back(follows);
       laws_.push_back(follows ? *region.strain_law : StrainLaw());
       largest_.push_back(follows ? simulation.space()->material(cell).G : 0.);
@@ -108,6 +109,13 @@ std::vector<double> between(const std::vector<double>& taken, const std::vector<
 
 double change_of(double last, double next) {
   return std::abs(next - last) / std::max(next, 1e-300);
+}
+
+/// Largest change of a cell, over the largest value of all.
+double change_of(const std::vector<double>& last, const std::vector<double>& next) {
+  double most = 0.;
+  for (std::size_t i = 0; i < next.size(); ++i) most = std::max(most, std::abs(next[i] - last[i]));
+  return most / std::max(largest(next), 1e-300);
 }
 
 /// The simulation with the steps of the first march: softer soil would allow longer steps, but finding them takes
@@ -201,8 +209,7 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
         with_soil(simulation, soil.at(last.strain, velocity)));  // for the solution, which comes after the last
     const LinearAnswer next = next_answer(linear, latest, soil.follows(), part(summary.iterations + 1));
     ++summary.iterations;
-    summary.change =
-        std::max(change_of(last.measure, next.measure), change_of(largest(velocity), largest(next.velocity)));
+    summary.change = std::max(change_of(last.measure, next.measure), change_of(velocity, next.velocity));
     velocity = between(velocity, next.velocity);
     summary.converged = summary.change < converged;
     last = next;

@@ -6,6 +6,7 @@
 #include "case/case_run.h"
 #include "dynamics/basis.h"
 #include "fem/system_scene.h"
+#include "model/equal.h"
 #include "model/exclusions.h"
 #include "response/reduction.h"
 #include "run/derived.h"
@@ -20,6 +21,12 @@ namespace {
 constexpr double tolerable_distance = 1e-10;
 
 using OfRegions = std::map<std::string, Coefficients>;
+
+/// Whether its mass and what stands beside its walls are no coefficients of a sum: all soils share the first one's
+/// body.
+bool is_body(const std::string& name, const Region& region) {
+  return name == caisson_name || region.kind == RegionKind::rigid || region.deformation == Deformation::rigid;
+}
 
 /// What a region decides by its numbers.
 bool same_choices(const Region& a, const Region& b) {
@@ -96,6 +103,7 @@ std::string why_not_of_family(const Scene& one, const Scene& other) {
   for (const auto& [name, region] : one.regions) {
     const auto found = other.regions.find(name);
     if (found == other.regions.end()) return "it has no region '" + name + "'";
+    if (is_body(name, region) && !(region == found->second)) return "the body '" + name + "' is another";
     if (!same_choices(region, found->second))
       return "numbers of '" + name + "' decide otherwise about its flow, its direction, deformation or compressibility";
   }

@@ -127,10 +127,19 @@ class Drag(ProgramTest):
             without = file["history/probes/middle/darcy_velocity_y"][:]
         self.assertLess(np.abs(with_it - without).max(), 1e-8 * np.abs(without).max())
 
+    def test_soil_that_yields_beside_it_is_not_softened_by_its_strain(self):
+        keys = ["mesh.parameters.cells=0.25", "time.end=0.15", "regions.mound.forchheimer=2", "regions.seabed.law='hysteretic'",
+                "regions.seabed.strain={reference_strain=5e-4}"]
+        soil = self.json_of("run", CASES / "fig2b-prototype.toml", *keys)["soil"]
+        self.assertEqual((soil["least_modulus_ratio"], soil["largest_strain"], soil["largest_damping"]), (1, 0, 0))
+        self.assertLess(soil["least_conductivity_ratio"], 1)
+
     def test_what_cannot_have_it_is_refused(self):
         for command, case, keys, told in (
             ("run", "swings.toml", ["regions.soil.flow='drained'"], "leaves out the pore water"),
             ("run", "swings.toml", ["regions.soil.forchheimer=-1"], "outside"),
+            ("run", "swings.toml", ["regions.soil.conductivity_ratio=0.5"], "alike in all directions"),
+            ("run", "swings.toml", ["loads.wave.kind='gravity'", "loads.wave.boundary=''"], "leaves out the weight of its water"),
             ("reduce", CASES / "fig2b-prototype.toml", ["regions.mound.forchheimer=2"], "every wave has a drag of its own"),
             ("run", CASES / "fig2b-prototype.toml", ["regions.caisson.forchheimer=2"], "in porous regions"),
         ):

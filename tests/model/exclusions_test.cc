@@ -47,6 +47,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.regions["sand"].flow = Flow::inertial;
   scene.regions["sand"].air_by_depth = true;
   scene.regions["mound"].forchheimer = 1.;
+  scene.regions["clay"].law = SoilLaw::python;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;
   scene.initial = InitialState();

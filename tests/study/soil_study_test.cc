@@ -62,6 +62,18 @@ TEST_F(SoilStudy, IsAnsweredByOneModel) {
   }
 }
 
+/// One model has one body: the mass of a rigid region is none of its parts.
+TEST_F(SoilStudy, OfAnotherCaissonIsSolvedAlone) {
+  Study study = study_of(static_cast<int>(least_soils));
+  study.runs[11].settings.emplace_back("regions.caisson.density", "3000");
+  make_soil_families(study, every_run(study), "out", false, {});
+  Runner together(study, "out", true, false), alone(study, "out", false, false);
+  const RunResult a = together.run(11, [] {}), b = alone.run(11, [] {});
+  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+  EXPECT_NE(a.shared, Shared::soils);
+  EXPECT_EQ(a.values, b.values);
+}
+
 TEST_F(SoilStudy, OfFewSoilsOrWithoutSharingIsSolvedAlone) {
   const Study few = study_of(static_cast<int>(least_soils) - 1);
   EXPECT_TRUE(soil_groups(few).empty());
