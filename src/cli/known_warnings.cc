@@ -180,6 +180,8 @@ const KnownWarning known_warnings[] = {
      "warnings.md#waves-on-their-way-to-a-probe"},
     {"smallest_step", "the time in which a pressure builds up, and h^2/(6 c_v) or h^2/(40 c_v) (s)", "run, explain",
      "warnings.md#pressure-beside-a-drained-face"},
+    {"soil_not_settled", "last change of F_T or of velocities by the soil's strain and drag, and 1 %", "run",
+     "warnings.md#soil-that-yields"},
     {"soil_unanswered", "points whose soil the model of `[dynamics]` does not answer, which count as failures, and 0",
      "reliability", "warnings.md#reduced-models"},
     {"step_too_coarse", "the case's step, and the longest that is good enough (s)", "run, explain",

@@ -1,4 +1,5 @@
 // Soil whose stiffness and damping have followed the strain of the response, its drag the velocity of the pore water.
+#include "base/text.h"
 #include "findings/topics.h"
 
 namespace upbead {
@@ -27,6 +28,15 @@ std::optional<SoilSummary> find_soil(const Evidence& e) {
   return e.simulation.soil();
 }
 
+NumberedWarnings not_settled(const Evidence&, const Summary& s) {
+  if (!s.soil || s.soil->converged) return {};
+  constexpr double settled = 0.01;
+  return {{"soil_not_settled", s.soil->change, settled, "1",
+           "stiffness, damping or drag still change F_T or velocities by " + significant(100. * s.soil->change, 3) +
+               " % after " + std::to_string(s.soil->iterations) + " iterations",
+           "compare with soil that yields (law), or with fixed G, damping and k"}};
+}
+
 }  // namespace
 
 Finding strain_soil_finding() {
@@ -34,6 +44,7 @@ Finding strain_soil_finding() {
   f.keys = [](OutputSchema<Summary>& s) {
     s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows strain or velocity; else null");
   };
+  f.warnings = not_settled;
   return f.part(&Summary::soil, find_soil);
 }
 
