@@ -59,10 +59,12 @@ bool is_of_edge(const std::string& read) {
 /// Why a member's answer does not stand for the run's own; "" where it does. The distance of the resultant from an edge
 /// is a difference of moments, holding minus overturning, of which the model has one within its estimate: with the
 /// margin m = holding / overturning, it and the edge's pressure are wrong by estimate / |m - 1|.
-/// Where the resultant leaves the base by more than that, the edge has no pressure, and the run would tell none either.
+/// Where the resultant leaves the base by more than that, the edge has no pressure, and the run would tell none either;
+/// where neither edge has one, the margin does not tell which of them is sure.
 std::string why_own(const Summary& summary, const RunResult& result, const std::vector<std::string>& reads) {
   const std::optional<double> margin = summary.base ? summary.base->least_overturning_margin : std::nullopt;
-  const bool leaves = margin && 1. - *margin > surely_left * *result.error_estimate;
+  const bool leaves = margin && 1. - *margin > surely_left * *result.error_estimate &&
+                      (summary.base->peak_heel_pressure || summary.base->peak_toe_pressure);
   for (std::size_t i = 0; i < reads.size(); ++i)
     if (!result.values[i] && !(leaves && is_of_edge(reads[i])))
       return "one model of all soils does not tell every number that is read";
