@@ -231,7 +231,7 @@ void tell_laws(const std::string& name, const Region& region, ResolvedScene& res
     resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
                                   "as the case says; where it yields nothing is linear, so it is marched", ""});
   if (region.forchheimer)
-    resolved.decisions.push_back({name, "drag", "linear",
+    resolved.decisions.push_back({name, "drag", "drag made linear",
                                   "at the velocity that the pore water has while all soil is elastic and the caisson "
                                   "is bonded, settled when it is run",
                                   ""});
