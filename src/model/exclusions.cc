@@ -21,6 +21,14 @@ Keys in_regions(const Scene& scene, std::optional<Table> Region::*table, const s
   return keys;
 }
 
+/// Keys of the laws of regions whose law is one of these.
+Keys of_laws(const Scene& scene, bool (*is_meant)(SoilLaw law)) {
+  Keys keys;
+  for (const auto& [region, values] : scene.regions)
+    if (is_meant(values.law)) keys.push_back("regions." + region + ".law");
+  return keys;
+}
+
 /// Keys of the outer sides where `member` has the value of an absorbing side.
 template <class Member, class Value>
 Keys absorbing(const Scene& scene, Member member, Value value, const std::string& key) {
@@ -59,12 +67,8 @@ const Feature contact{"contact node by node",
                       [](const Scene& s) { return when(has_frictional_contact(s), "regions.caisson.interface"); }};
 const Feature strain{"soil that follows its strain",
                      [](const Scene& s) { return in_regions(s, &Region::strain_law, "strain"); }};
-const Feature yielding{"soil that yields", [](const Scene& s) {
-                         Keys keys;
-                         for (const auto& [name, region] : s.regions)
-                           if (region.law != SoilLaw::elastic) keys.push_back("regions." + name + ".law");
-                         return keys;
-                       }};
+const Feature yielding{"soil that yields",
+                       [](const Scene& s) { return of_laws(s, [](SoilLaw law) { return law != SoilLaw::elastic; }); }};
 const Feature densification{"soil that packs denser",
                             [](const Scene& s) { return in_regions(s, &Region::densification, "densification"); }};
 const Feature motion{"a boundary whose motion is prescribed", [](const Scene& s) {
@@ -134,12 +138,8 @@ const Feature springs{"a caisson on springs",
 const Feature drag{"drag that grows with velocity",
                    [](const Scene& s) { return in_regions(s, &Region::forchheimer, "forchheimer"); }};
 
-const Feature asked_law{"a law of stress in Python", [](const Scene& s) {
-                          Keys keys;
-                          for (const auto& [name, region] : s.regions)
-                            if (region.law == SoilLaw::python) keys.push_back("regions." + name + ".law");
-                          return keys;
-                        }};
+const Feature asked_law{"a law of stress in Python",
+                        [](const Scene& s) { return of_laws(s, [](SoilLaw law) { return law == SoilLaw::python; }); }};
 
 constexpr std::array way_names{"`time.scheme = \"reduced\"`",
                                "`time.scheme = \"generalised_alpha\"`",

@@ -43,6 +43,15 @@ class SoilStudy : public InFolder {
     std::iota(all.begin(), all.end(), 0);
     return {all};
   }
+  /// A run has the answer of its own, to the last bit.
+  static void expect_alone(const Study& study, int run) {
+    make_soil_families(study, every_run(study), "out", false, {});
+    Runner runner(study, "out", true, false), alone(study, "out", false, false);
+    const RunResult a = runner.run(run, [] {}), b = alone.run(run, [] {});
+    ASSERT_TRUE(a.done && b.done) << a.message << b.message;
+    EXPECT_NE(a.shared, Shared::soils);
+    EXPECT_EQ(a.values, b.values);
+  }
 };
 
 TEST_F(SoilStudy, IsAnsweredByOneModel) {
@@ -66,12 +75,7 @@ TEST_F(SoilStudy, IsAnsweredByOneModel) {
 TEST_F(SoilStudy, OfAnotherCaissonIsSolvedAlone) {
   Study study = study_of(static_cast<int>(least_soils));
   study.runs[11].settings.emplace_back("regions.caisson.density", "3000");
-  make_soil_families(study, every_run(study), "out", false, {});
-  Runner together(study, "out", true, false), alone(study, "out", false, false);
-  const RunResult a = together.run(11, [] {}), b = alone.run(11, [] {});
-  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
-  EXPECT_NE(a.shared, Shared::soils);
-  EXPECT_EQ(a.values, b.values);
+  expect_alone(study, 11);
 }
 
 TEST_F(SoilStudy, OfFewSoilsOrWithoutSharingIsSolvedAlone) {
@@ -158,13 +162,7 @@ TEST_F(SoilStudy, KeepsItsFamilyAndMakesATornOneAnew) {
 }
 
 TEST_F(SoilStudy, OfAMarchIsSolvedAlone) {
-  const Study study = study_of(static_cast<int>(least_soils), {{"time.scheme", "\"sdirk4\""}});
-  make_soil_families(study, every_run(study), "out", false, {});
-  Runner runner(study, "out", true, false), alone(study, "out", false, false);
-  const RunResult a = runner.run(2, [] {}), b = alone.run(2, [] {});
-  ASSERT_TRUE(a.done && b.done) << a.message << b.message;
-  EXPECT_NE(a.shared, Shared::soils);
-  EXPECT_EQ(a.values, b.values);
+  expect_alone(study_of(static_cast<int>(least_soils), {{"time.scheme", "\"sdirk4\""}}), 2);
 }
 
 }  // namespace soil_study_test
