@@ -13,7 +13,7 @@ import subprocess
 import unittest
 
 from program import PROGRAM, main
-from studies import RANDOM, SHORT, SMALL, STUDY, StudyTest, preloaded
+from studies import MANY, RANDOM, SHORT, SMALL, STUDY, StudyTest, preloaded
 
 SANITIZED = os.environ.get("UPBEAD_SANITIZE") == "ON"
 LAUNCHERS = ("OMPI_", "PMI", "SLURM_")
@@ -95,23 +95,23 @@ class Parts(PartsTest):
         self.expect_whole()
 
     def test_killed_in_the_middle_it_goes_on(self):
-        process = self.start(24, "--part", "1/2", "--jobs", "1", "--no-sharing", out="parts")
+        process = self.start(MANY, "--part", "1/2", "--jobs", "1", "--no-sharing", out="parts")
         process.kill()
         process.communicate()
         before = self.runs_in()
-        self.assertLess(len(before), 12)
+        self.assertLess(len(before), MANY // 2)
         holder = self.merge(code=2)["missing"][0]
         self.assertEqual((holder["part"], holder["works"]), ("1/2", ""), "its process has ended")
         told = json.loads(self.part("1/2", "--no-sharing", "--json").stdout)
         self.assertGreaterEqual(told["resumed"], len(before))
         self.part("2/2", "--no-sharing")
-        self.assertEqual(self.runs_in(), list(range(24)))
+        self.assertEqual(self.runs_in(), list(range(MANY)))
         self.study("--out", "whole", "--no-sharing")
         self.merge()
         self.assertEqual(self.table("parts"), self.table("whole"))
 
     def test_a_killed_worker_costs_the_run_alone(self):
-        process = self.start(24, "--part", "1/2", "--json", out="parts")
+        process = self.start(MANY, "--part", "1/2", "--json", out="parts")
         os.kill(self.processes_of(process)[0], signal.SIGKILL)
         text, errors = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 0, errors)

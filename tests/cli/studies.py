@@ -49,6 +49,7 @@ distribution = "log_normal"
 mean = 30e6
 cov = 0.3
 """
+MANY = 60  # runs, so that a study has not ended before a test interrupts it
 
 
 # A disk on which writing to a journal takes long, that is full in the middle of its third line, or has no hard links; locks of a file system may
