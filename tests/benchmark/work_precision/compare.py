@@ -4,10 +4,12 @@ from front import sure, time_at
 from table import ERRORS, TARGETS
 
 PEERS = ("FEniCSx", "FreeFEM")
-UPBEAD = ("upbead", "upbead, marched")
+LEAN = "lean upbead"  # its libraries inside, see packaging/
+UPBEAD = ("upbead", "upbead, marched", LEAN)
 PROGRAMS = {  # name: how its series begin
     "upbead": ("upbead",),
     "upbead, marched": ("upbead, sdirk4", "upbead, generalised_alpha"),
+    LEAN: (LEAN,),
     "FEniCSx": ("FEniCSx",),
     "FEniCSx, uniform meshes": ("FEniCSx, uniform",),
     "FreeFEM": ("FreeFEM",),

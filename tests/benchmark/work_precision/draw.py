@@ -20,7 +20,8 @@ PANELS = [("damped", "wall", "history_error"), ("undamped", "wall", "history_err
           ("designer", "wall", "history_error"), ("train", "wall", "history_error")]
 PROGRAMS = {"upbead, reduced": ("upbead, reduced", "C0"), "upbead, marched": (("upbead, sdirk4", "upbead, gen"), "C1"),
             "upbead, mesh by tolerance": ("upbead, by tolerance", "C4"),
-            "FEniCSx": ("FEniCSx", "C2"), "FreeFEM": ("FreeFEM", "C3")}
+            "lean upbead, reduced": ("lean upbead, reduced", "C5"), "FEniCSx": ("FEniCSx", "C2"), "FreeFEM": ("FreeFEM", "C3")}
+START = {"upbead": "C0", "lean upbead": "C5", "FEniCSx": "C2", "FreeFEM": "C3"}
 
 
 def groups(rows):
@@ -75,11 +76,13 @@ def draw_peers(study, floors, path):
     for ax, error in zip(axes, ("peak_error", "history_error")):
         for name, (prefix, colour) in PROGRAMS.items():
             rows = of(study["rows"], prefix)
+            if not rows:
+                continue
             ax.plot([r["wall"] for r in rows], [r[error] for r in rows], ".", color=colour, alpha=0.35, markersize=4)
             best = front(sure(rows, error), error)
             ax.plot([r["wall"] for r in best], [r[error] for r in best], "o-", color=colour, markersize=4, label=name)
-        for (name, wall), colour in zip(floors.items(), ("C0", "C2", "C3")):
-            ax.axvline(wall, color=colour, linestyle=":", linewidth=1)
+        for name, wall in floors.items():
+            ax.axvline(wall, color=START[name], linestyle=":", linewidth=1)
         for target in TARGETS:
             ax.axhline(target, color="k", alpha=0.3, linewidth=0.8)
         decorate(ax, "wall", error)

@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
+import compare
 import run
 import scenes
 
@@ -104,10 +105,12 @@ def warm_up(folder):
     return times
 
 
-def floors(program):
+def floors(program, lean=None):
     """Seconds of processes that do nothing (the solver's version, imports, an empty script): no run is faster."""
     solver = program.with_name("upbead-solver")  # upbead becomes this program for a command that solves
     do_nothing = {"upbead": [solver, "--version"],
                   "FEniCSx": [sys.executable, run.PEERS / "fenicsx.py", "--help"],
                   "FreeFEM": ["FreeFem++", "-nw", "-v", "0", run.PEERS / "empty.edp"]}
+    if lean is not None:
+        do_nothing[compare.LEAN] = [lean.with_name("upbead-solver"), "--version"]
     return {name: run.timed(command, 5)[0] for name, command in do_nothing.items()}

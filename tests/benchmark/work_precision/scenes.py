@@ -141,20 +141,20 @@ def upbead_alone():
             prototype_meshes("darcy", "fig2b prototype, meshes, darcy mound", DARCY), strip(), column(), designer(), train()]
 
 
-def beside_peers():
-    """upbead on the peers' scene: reduced as by default, and marched."""
+def beside_peers(name="upbead"):
+    """upbead on the peers' scene: reduced as by default, and marched. `name`: what its series begin with."""
     cells = (0.25, 0.35, 0.5, 0.7, 1, 1.5)
-    jobs = [Job("upbead, reduced", "default", {}, "default")] + by_tolerance("upbead, by tolerance", {})
+    jobs = [Job(f"{name}, reduced", "default", {}, "default")] + by_tolerance(f"{name}, by tolerance", {})
     for grading in (12, 30):
-        jobs += meshes("upbead, reduced", [(2, c, grading) for c in cells])
-        jobs += meshes("upbead, reduced", [(3, c, grading) for c in cells[:-1]])
+        jobs += meshes(f"{name}, reduced", [(2, c, grading) for c in cells])
+        jobs += meshes(f"{name}, reduced", [(3, c, grading) for c in cells[:-1]])
     for part in (4, 8):
         step = {**SDIRK, "time.step": PULSE / part}
-        jobs += meshes("upbead, sdirk4", [(2, c, 12) for c in cells[:-1]] + [(3, c, 12) for c in cells[:-2]], step)
+        jobs += meshes(f"{name}, sdirk4", [(2, c, 12) for c in cells[:-1]] + [(3, c, 12) for c in cells[:-2]], step)
     for part in (16, 32):
         step = {**ALPHA, "time.step": PULSE / part}
-        jobs += meshes("upbead, generalised_alpha",
+        jobs += meshes(f"{name}, generalised_alpha",
                        [(2, c, 12) for c in cells[1:-1]] + [(3, c, 12) for c in cells[:-3]], step)
-    jobs += meshes("upbead, reduced, uniform", [(degree, c, 1) for degree in (2, 3) for c in (0.5, 1, 2)])
+    jobs += meshes(f"{name}, reduced, uniform", [(degree, c, 1) for degree in (2, 3) for c in (0.5, 1, 2)])
     return Study("peers", "peers, darcy flow without sea", PEER_SCENE, jobs,
                  {**mesh(3, 1.5, 60), "accuracy.tolerance": 1e-5, "time.step": 1e-3})

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """Error of F_T against work: upbead's meshes, degrees, schemes and steps, and its peers on the same scene.
 
-usage: work_precision.py PROGRAM [--peers] [--only STUDY ...] [--quick] [--processor-time] [-o FOLDER]
+usage: work_precision.py PROGRAM [--peers [--lean PROGRAM]] [--only STUDY ...] [--quick] [--processor-time] [-o FOLDER]
 
 Writes FOLDER/work_precision.{json,md,png} and, with --peers, FOLDER/peers.png. Times are of whole processes from fork
 to exit on one core, medians of three (runs above 1.5 s once); compare them as ratios. Errors are relative to the peak
 of the reference: of the peak itself, and the largest of the whole history. --quick takes fewer points, once each.
 --processor-time counts the seconds on the core instead, which other load on the machine disturbs less. The peers are
-FEniCSx and FreeFEM; ./bootstrap peers installs them.
+FEniCSx and FreeFEM; ./bootstrap peers installs them. --lean: the same runs by a program with its libraries inside.
 """
 
 import argparse
@@ -66,20 +66,25 @@ def add(study, job, reference, runs, quick):
     print(f"{study['name']:10} {job.series}, {job.label}: {found.wall:.2f} s", flush=True)
 
 
-def run_peers(program, quick):
+def run_peers(program, lean, quick):
     study, reference = run_study(program, scenes.beside_peers(), quick)
+    if lean is not None:
+        for job in thinned(scenes.beside_peers(compare.LEAN).jobs, quick):
+            add(study, job, reference, lambda repeats, job=job: run.upbead(
+                lean, scenes.PEER_SCENE, job.settings, repeats), quick)
     with tempfile.TemporaryDirectory() as folder:
         jobs = peer_jobs.jobs(folder, quick)
         compiled = peer_jobs.warm_up(folder)
         for job in jobs:
             add(study, job, reference, job.run, quick)
-    return study, peer_jobs.floors(program), compiled
+    return study, peer_jobs.floors(program, lean), compiled
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--peers", action="store_true", help="run FEniCSx and FreeFEM too")
+    parser.add_argument("--lean", type=pathlib.Path, metavar="PROGRAM", help="with --peers: the lean package's program, too")
     parser.add_argument("--only", nargs="*", metavar="STUDY",
                         help="these studies alone, by their names in the JSON; none: the peers alone")
     parser.add_argument("--quick", action="store_true", help="fewer points, once each")
@@ -97,7 +102,8 @@ def main():
         front.mark(results["studies"][-1]["rows"])
         write(results, arguments.output)
     if arguments.peers:
-        study, results["floors"], results["fenicsx_forms"] = run_peers(program, arguments.quick)
+        study, results["floors"], results["fenicsx_forms"] = run_peers(
+            program, arguments.lean and arguments.lean.resolve(), arguments.quick)
         results["studies"].append(study)
         results["comparison"] = compare.comparison(study["rows"], results["floors"])
         front.mark(study["rows"])
