@@ -330,7 +330,7 @@ void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
   p.uplift_moment *= factor;
   if (p.force != 0.) s.peak_over_goda = s.peak / p.force;
   s.stability = stability(w.section, p, still_water(w.section, water));
-  s.standing = standing_answer(w.section, water, w.wave, factor);
+  s.standing = standing_answer(w.section, water, w.wave, factor, w.standing ? &w.standing->wave : nullptr);
   const SlidingLoad load = sliding_load(w.section, water, p, w.wave.height, w.wave.period, w.k);
   s.sliding = sliding_distance_exact(load.mass, load.resistance, load.pulse);
   const double standing = Goda(w.section, water, w.wave).at(w.wave.height, PressureFormula::standing).force;

@@ -50,7 +50,19 @@ void set_elastic(const WaveTable& table, const DesignTables& design, WaveAnswer&
                             history({*table.force, *table.pulse_duration}), resistance);
 }
 
-WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignTables& design) {
+/// Standing waves that have been found, by depth and period: the next higher one starts from there.
+using StandingStarts = std::map<std::pair<double, double>, StandingWave>;
+
+StandingResult standing_from(StandingStarts& starts, const Section& section, const Water& water,
+                             const DesignWave& wave) {
+  const std::pair key(section.water_depth, wave.period);
+  const auto lower = starts.find(key);
+  StandingResult found = standing_answer(section, water, wave, 1., lower == starts.end() ? nullptr : &lower->second);
+  if (found.answer) starts.insert_or_assign(key, found.answer->wave);
+  return found;
+}
+
+WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignTables& design, StandingStarts& starts) {
   WaveAnswer a;
   a.name = name;
   a.section = design.section;
@@ -66,7 +78,7 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   set_pulse(table, design, a);
   set_sliding(design, goda.at(a.wave.height, PressureFormula::standing).force, a);
   set_elastic(table, design, a);
-  a.standing = standing_answer(design.section, design.water, a.wave);
+  a.standing = standing_from(starts, design.section, design.water, a.wave);
   if (design.impact.proverbs)
     a.impact = breaking_impact(*design.impact.proverbs, design.section, design.water, a.wave, a.wavelength);
   a.warnings = warnings(design.section, design.water, a.wave, a.pressure);
@@ -75,12 +87,13 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
 }
 
 /// The wave at each level, with the level's height by random breaking, W' and depths of the mound.
-std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table, const DesignTables& design) {
+std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table, const DesignTables& design,
+                                  StandingStarts& starts) {
   std::vector<WaveAnswer> answers;
   for (const WaterLevel& level : water_levels(design)) {
     DesignTables there = design;
     there.section = at_water_level(design.section, design.water, level.rise);
-    answers.push_back(level.rise == 0. ? own : answer(own.name, table, there));
+    answers.push_back(level.rise == 0. ? own : answer(own.name, table, there, starts));
     answers.back().level = level.name;
     answers.back().rise = level.rise;
   }
@@ -112,9 +125,10 @@ std::string text_of(const Section& s, const Water& water) {
 
 std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
   std::vector<WaveAnswer> answers;
+  StandingStarts starts;
   for (const auto& [name, table] : design.waves) {
-    answers.push_back(answer(name, table, design));
-    answers.back().levels = at_levels(answers.back(), table, design);
+    answers.push_back(answer(name, table, design, starts));
+    answers.back().levels = at_levels(answers.back(), table, design, starts);
     if (!design.levels.empty()) answers.back().governing = governing(answers.back().levels);
   }
   return answers;

@@ -35,11 +35,13 @@ SeawardForce seaward_force(const DesignTables& tables) {
   const double top = 1.5 * std::max(given, 0.5 * tables.section.water_depth);
   std::vector<double> height{0.}, force{0.};
   std::string why_not;
+  std::optional<StandingWave> lower;
   for (int i = 1; i <= heights && why_not.empty(); ++i) {
     wave.height = top * i / heights;
-    const StandingResult found = standing_answer(tables.section, tables.water, wave);
+    const StandingResult found = standing_answer(tables.section, tables.water, wave, 1., lower ? &*lower : nullptr);
     why_not = found.why_not;
     if (!found.answer) continue;
+    lower = found.answer->wave;
     height.push_back(wave.height);
     force.push_back(-found.answer->worst.seaward.force);  // of the wave alone, without a push of still water
   }

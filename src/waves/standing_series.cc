@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
+#include "base/lanes.h"
 #include "base/numbers.h"
+#include "dense_products.h"
 
 namespace upbead {
 
@@ -17,7 +20,8 @@ using Harmonics = OfHarmonics;
 /// cos and sin of the multiples of an angle, by one evaluation.
 struct Multiples {
   Harmonics cos, sin;
-  Multiples(int n, double angle) : cos(n + 1), sin(n + 1) {
+  Multiples(int n, double angle) : cos(Harmonics::Ones(n + 1)), sin(Harmonics::Zero(n + 1)) {
+    if (angle == 0.) return;  // the wall, where most are asked for
     const std::complex<double> once = std::polar(1., angle);
     std::complex<double> of_j = 1.;
     for (int j = 0; j <= n; ++j, of_j *= once) {
@@ -27,12 +31,21 @@ struct Multiples {
   }
 };
 
+/// exp(j y) for each harmonic j, by one evaluation.
+Harmonics exponentials(Eigen::Index size, double y) {
+  Harmonics of(size);
+  of[0] = 1.;
+  if (size > 1) of[1] = std::exp(y);
+  for (Eigen::Index j = 2; j < size; ++j) of[j] = of[j / 2] * of[j - j / 2];
+  return of;
+}
+
 /// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK for each harmonic j, in a form that does not overflow in deep
 /// water.
 struct Depths {
   Harmonics cosh, sinh;
   Depths(const StandingInstant& s, double y) {
-    const Harmonics up = (s.j * y).exp(), down = (-s.j * (y + 2. * s.K)).exp();
+    const Harmonics up = exponentials(s.j.size(), y), down = exponentials(s.j.size(), -(y + 2. * s.K));
     cosh = (up + down) / (1. + s.decay);
     sinh = (up - down) / (1. + s.decay);
   }
@@ -111,9 +124,11 @@ SurfaceConditions surface_conditions(const StandingInstant& instant, double x) {
 namespace {
 
 constexpr int first_harmonics = 6;
-constexpr int most_iterations = 30;
+constexpr int most_iterations = 60;  ///< a step by a new matrix counts twice
 /// The last step changes the coefficients by no more: as the method squares its error, about 1e-13 is left.
 constexpr double same_coefficients = 1e-7;
+constexpr double small_step = 1e-4;       ///< Conditions::improve()
+constexpr double start_for_more = 1e-3;   ///< after such a step the residual is known well enough
 constexpr double weight_of_height = 1e3;  ///< this equation is met closely, all others by least squares
 
 /// A coefficient that is sought: of the harmonic i in time and j in space.
@@ -162,37 +177,63 @@ struct Places {
   int of_space() const { return 2 * of_time; }
 };
 
-/// The conditions at all places of one time, and their derivatives but for the harmonics in time, by which the columns
-/// of an unknown are multiplied: -i sin(i tau) and cos(i tau) for a, sin(i tau) and i cos(i tau) for b, in four blocks
-/// of a column for each j. Then come those with respect to c and K, and the conditions themselves.
-Eigen::MatrixXd rows_of_time(const StandingSeries& s, const StandingInstant& t, const std::vector<Multiples>& places) {
-  const Eigen::Index m = s.n + 1;
-  Eigen::MatrixXd X = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(places.size()), 4 * m + 3);
+/// Where the conditions at the places of a time, and their derivatives but for the harmonics in time, stand in the
+/// vector of a place. By the harmonics in time the columns of an unknown are multiplied: -i sin(i tau) and cos(i tau)
+/// for a, sin(i tau) and i cos(i tau) for b, in four blocks with one for each j. The kinematic condition is without the
+/// last block and c, the dynamic one without the first block.
+struct Layout {
+  explicit Layout(int n) : m(n + 1) {}
+  Eigen::Index m;
+  Eigen::Index a_sin() const { return 0; }
+  Eigen::Index K() const { return m; }
+  Eigen::Index left() const { return m + 1; }  ///< the conditions themselves
+  Eigen::Index a_cos() const { return m + 2; }
+  Eigen::Index b_sin() const { return 2 * m + 2; }
+  Eigen::Index b_cos() const { return 3 * m + 2; }
+  Eigen::Index c() const { return 4 * m + 2; }
+  Eigen::Index of_kinematic() const { return 3 * m + 2; }
+  Eigen::Index of_dynamic() const { return 3 * m + 3; }
+  Eigen::Index all() const { return m + padded(of_dynamic()); }
+};
+
+/// The conditions at all places of one time as Layout says, a column for each; the rows of the dynamic one from K on.
+struct AtTime {
+  Eigen::MatrixXd kinematic, dynamic;
+};
+
+void set_conditions(const StandingInstant& t, const std::vector<Multiples>& places, AtTime& at) {
+  const Layout of(static_cast<int>(t.j.size()) - 1);
+  const Eigen::Index m = of.m;
   // derivative with respect to K: cosh j(y + K)/cosh jK = cosh jy + tanh jK sinh jy
-  const Harmonics by_K = 4. * t.j * t.decay / (1. + t.decay).square(), j2 = t.j.square();
-  const double omega_K = -0.5 * t.omega / s.K;
-  Eigen::Index row = 0;
+  const Harmonics by_K = 2. * t.j * t.decay / (1. + t.decay).square(), j2 = t.j.square();
+  const double omega_K = -0.5 * t.omega / t.K;
+  Eigen::Index place = 0;
   for (const Multiples& x : places) {
     const AtSurface p(t, x);
     const double u_y = -(j2 * t.phi * p.sinh_sin).sum(), v_y = (j2 * t.phi * p.cosh_cos).sum();
     const double phi_tau_y = (t.j * t.phi_tau * p.sinh_cos).sum();
-    const Harmonics C_K = by_K * (t.j * p.eta).sinh(), S_K = by_K * (t.j * p.eta).cosh();
+    const Harmonics up = exponentials(m, p.eta), down = exponentials(m, -p.eta);
+    const Harmonics C_K = by_K * (up - down), S_K = by_K * (up + down);
     const double u_K = -(t.j * t.phi * C_K * x.sin).sum(), v_K = (t.j * t.phi * S_K * x.cos).sum();
     const double phi_tau_K = (t.phi_tau * C_K * x.cos).sum();
     const SurfaceConditions left = p.left(t);
-    X.row(row).segment(0, m) = (t.omega * x.cos).matrix();
-    X.row(row).segment(m, m) = ((u_y * p.eta_x - v_y) * x.cos - p.u * t.j * x.sin).matrix();
-    X.row(row).segment(2 * m, m) = (-t.j * (p.eta_x * p.cosh_sin + p.sinh_cos)).matrix();
-    X.row(row++).tail(3) << 0., omega_K * p.eta_tau + u_K * p.eta_x - v_K, left.kinematic;
-    X.row(row).segment(m, m) = ((t.omega * phi_tau_y + p.u * u_y + p.v * v_y + 1.) * x.cos).matrix();
-    X.row(row).segment(2 * m, m) = (t.j * (p.v * p.sinh_cos - p.u * p.cosh_sin)).matrix();
-    X.row(row).segment(3 * m, m) = (t.omega * p.cosh_cos).matrix();
-    X.row(row++).tail(3) << -1., omega_K * p.phi_tau + t.omega * phi_tau_K + p.u * u_K + p.v * v_K, left.dynamic;
+    auto k = at.kinematic.col(place).array();
+    k.segment(of.a_sin(), m) = t.omega * x.cos;
+    k[of.K()] = omega_K * p.eta_tau + u_K * p.eta_x - v_K;
+    k[of.left()] = left.kinematic;
+    k.segment(of.a_cos(), m) = (u_y * p.eta_x - v_y) * x.cos - p.u * t.j * x.sin;
+    k.segment(of.b_sin(), m) = -t.j * (p.eta_x * p.cosh_sin + p.sinh_cos);
+    auto d = at.dynamic.col(place++).array();
+    d[of.K() - m] = omega_K * p.phi_tau + t.omega * phi_tau_K + p.u * u_K + p.v * v_K;
+    d[of.left() - m] = left.dynamic;
+    d.segment(of.a_cos() - m, m) = (t.omega * phi_tau_y + p.u * u_y + p.v * v_y + 1.) * x.cos;
+    d.segment(of.b_sin() - m, m) = t.j * (p.v * p.sinh_cos - p.u * p.cosh_sin);
+    d.segment(of.b_cos() - m, m) = t.omega * p.cosh_cos;
+    d[of.c() - m] = -1.;
   }
-  return X;
 }
 
-/// An unknown's derivative is this of two columns of rows_of_time().
+/// An unknown's derivative is this of two rows of AtTime.
 struct Column {
   Eigen::Index first, second;
   double by_first, by_second;
@@ -200,68 +241,156 @@ struct Column {
 
 std::vector<Column> columns_at(double tau, int n, const std::vector<Unknown>& of_a, const std::vector<Unknown>& of_b) {
   const Multiples t(n, tau);
-  const Eigen::Index m = n + 1;
+  const Layout of(n);
   std::vector<Column> columns;
-  for (const auto [i, j] : of_a) columns.push_back({j, m + j, -i * t.sin[i], t.cos[i]});
-  for (const auto [i, j] : of_b) columns.push_back({2 * m + j, 3 * m + j, t.sin[i], i * t.cos[i]});
-  for (Eigen::Index k = 4 * m; k < 4 * m + 3; ++k) columns.push_back({k, k, 1., 0.});
+  for (const auto [i, j] : of_a) columns.push_back({of.a_sin() + j, of.a_cos() + j, -i * t.sin[i], t.cos[i]});
+  for (const auto [i, j] : of_b) columns.push_back({of.b_sin() + j, of.b_cos() + j, t.sin[i], i * t.cos[i]});
+  for (const Eigen::Index k : {of.c(), of.K(), of.left()}) columns.push_back({k, k, 1., 0.});
   return columns;
 }
 
-/// sum += T' M T for the columns of T; its lower triangle alone.
-void add_squares(const Eigen::MatrixXd& M, const std::vector<Column>& columns, Eigen::MatrixXd& sum) {
-  const auto size = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd MT(M.rows(), size);
-  Eigen::Index p = 0;
-  for (const Column& k : columns) MT.col(p++) = k.by_first * M.col(k.first) + k.by_second * M.col(k.second);
-  const Eigen::MatrixXd TM = MT.transpose();
-  p = 0;
-  for (const Column& k : columns) {
-    const Eigen::Index below = size - p;
-    sum.col(p++).tail(below) += k.by_first * TM.col(k.first).tail(below) + k.by_second * TM.col(k.second).tail(below);
+/// sum += T' M T for the columns of T; its lower triangle alone. TM: memory to work in.
+UPBEAD_CLONES void add_squares(const Column* columns, Eigen::Index size, const Eigen::MatrixXd& of,
+                               Eigen::MatrixXd& work, Eigen::MatrixXd& into) {
+  const Eigen::Index rows = of.rows(), stride = into.rows();
+  const double* M = of.data();
+  double *TM = work.data(), *sum = into.data();
+  for (Eigen::Index p = 0; p < size; ++p) {
+    const double *first = M + columns[p].first * rows, *second = M + columns[p].second * rows;
+    const double by_first = columns[p].by_first, by_second = columns[p].by_second;
+    for (Eigen::Index r = 0; r < rows; ++r) TM[r * stride + p] = by_first * first[r] + by_second * second[r];
+  }
+  for (Eigen::Index p = 0; p < size; ++p) {
+    const double *first = TM + columns[p].first * stride, *second = TM + columns[p].second * stride;
+    const double by_first = columns[p].by_first, by_second = columns[p].by_second;
+    double* to = sum + p * stride;
+    for (Eigen::Index q = p; q < size; ++q) to[q] += by_first * first[q] + by_second * second[q];
   }
 }
 
-/// The squares of the conditions and of their derivatives with respect to a, b, c and K, summed over all places: the
-/// normal matrix, and as its last row the gradient. As the harmonics in time are the same at all places of a time, this
-/// takes a fraction of the work of the product of the whole matrix of derivatives with itself.
-Eigen::MatrixXd normal_equations(const StandingSeries& s, const std::vector<Unknown>& of_a,
-                                 const std::vector<Unknown>& of_b) {
-  const Places places{s.n + 2, 0.5};
-  std::vector<Multiples> x;
-  for (int l = 0; l < places.of_space(); ++l) x.emplace_back(s.n, places.at(l));
-  const auto size = static_cast<Eigen::Index>(of_a.size() + of_b.size() + 3);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  for (int k = 0; k < places.of_time; ++k) {
-    const Eigen::MatrixXd X = rows_of_time(s, s.at(places.at(k)), x);
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(X.cols(), X.cols());
-    M.selfadjointView<Eigen::Lower>().rankUpdate(X.transpose());
-    add_squares(M.selfadjointView<Eigen::Lower>(), columns_at(places.at(k), s.n, of_a, of_b), normal);
+/// The conditions at all places of a series with n harmonics.
+class Conditions {
+ public:
+  explicit Conditions(int n)
+      : layout_(n), places_{n + 2, 0.5}, of_a_(unknowns_of(n, 0, 1)), of_b_(unknowns_of(n, 1, 0)) {
+    for (int l = 0; l < places_.of_space(); ++l) x_.emplace_back(n, places_.at(l));
+    for (int k = 0; k < places_.of_time; ++k) columns_.push_back(columns_at(places_.at(k), n, of_a_, of_b_));
+    const Eigen::Index size = padded(static_cast<Eigen::Index>(columns_.front().size()));
+    at_.kinematic.setZero(padded(layout_.of_kinematic()), places_.of_space());
+    at_.dynamic.setZero(padded(layout_.of_dynamic()), places_.of_space());
+    M_.resize(layout_.all(), layout_.all());
+    TM_.resize(size, layout_.all());
+    normal_.resize(size, size);
   }
-  // the equation of the height
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(size);
-  Eigen::Index p = 0;
-  for (const auto [i, j] : of_a) row[p++] = j % 2 == 0 ? 0. : 2.;
-  row.tail(2) << -2. * s.relative_height, s.swing() - 2. * s.relative_height * s.K;
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(row, weight_of_height * weight_of_height);
-  return normal;
-}
 
-/// One Gauss-Newton step; returns its largest change of a coefficient. By the normal equations, many times faster than
-/// by Householder reflections; the next step corrects their loss of digits.
-double improve(StandingSeries& s) {
-  const std::vector<Unknown> of_a = unknowns_of(s.n, 0, 1), of_b = unknowns_of(s.n, 1, 0);
-  const Eigen::MatrixXd normal = normal_equations(s, of_a, of_b);
-  const Eigen::Index size = normal.rows() - 1;
-  const Eigen::VectorXd gradient = normal.row(size).head(size).transpose();
-  const Eigen::VectorXd step = normal.topLeftCorner(size, size).selfadjointView<Eigen::Lower>().ldlt().solve(-gradient);
-  Eigen::Index p = 0;
-  for (const auto [i, j] : of_a) s.a(i, j) += step[p++];
-  for (const auto [i, j] : of_b) s.b(i, j) += step[p++];
-  s.c += step[p++];
-  s.K += step[p];
-  return step.lpNorm<Eigen::Infinity>();
-}
+  /// One Gauss-Newton step; returns its largest change of a coefficient. By the normal equations, many times faster
+  /// than by Householder reflections; the next step corrects their loss of digits. After a small step the matrix is so
+  /// near the one of the solution that it serves as long as the steps become smaller.
+  double improve(StandingSeries& s) {
+    const double small = near_ ? last_ : small_step;
+    const Eigen::VectorXd step = near_ ? -by_factor(gradient(s)) : newton_step(s);
+    add(step, s);
+    last_ = step.lpNorm<Eigen::Infinity>();
+    near_ = has_factor_ && last_ < small;
+    return last_;
+  }
+  bool near() const { return near_; }
+
+  /// Sets how the coefficients of a solved series change with the height.
+  void set_slope(StandingSeries& s) const {
+    s.slope.resize(0);
+    if (near_) s.slope = 2. * s.K * weight_of_height * weight_of_height * by_factor(height_row(s));
+  }
+
+  /// Follows that slope to another height.
+  void raise(StandingSeries& s, double relative_height) const {
+    add((relative_height - s.relative_height) * s.slope, s);
+    s.relative_height = relative_height;
+  }
+
+ private:
+  Eigen::VectorXd newton_step(const StandingSeries& s) {
+    const auto n = static_cast<Eigen::Index>(of_a_.size() + of_b_.size() + 2);
+    set_normal_equations(s);
+    const Eigen::VectorXd step = solve_positive(normal_, n);
+    has_factor_ = step.size() > 0;
+    if (has_factor_) return step;
+    set_normal_equations(s);
+    return normal_.topLeftCorner(n, n).selfadjointView<Eigen::Lower>().ldlt().solve(
+        -normal_.row(n).head(n).transpose());
+  }
+
+  void add(const Eigen::VectorXd& step, StandingSeries& s) const {
+    Eigen::Index p = 0;
+    for (const auto [i, j] : of_a_) s.a(i, j) += step[p++];
+    for (const auto [i, j] : of_b_) s.b(i, j) += step[p++];
+    s.c += step[p++];
+    s.K += step[p];
+  }
+
+  /// By the factor L in the normal matrix.
+  Eigen::VectorXd by_factor(const Eigen::VectorXd& g) const {
+    const Eigen::Index n = g.size() - 1;
+    const auto L = normal_.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+    return L.transpose().solve(L.solve(g.head(n)));
+  }
+
+  /// The squares of the conditions and of their derivatives with respect to a, b, c and K, summed over all places: the
+  /// normal matrix, and as its last row the gradient. As the harmonics in time are the same at all places of a time,
+  /// this takes a fraction of the work of the product of the whole matrix of derivatives with itself.
+  void set_normal_equations(const StandingSeries& s) {
+    const auto size = static_cast<Eigen::Index>(columns_.front().size());
+    normal_.setZero();
+    for (int k = 0; k < places_.of_time; ++k) {
+      set_conditions(s.at(places_.at(k)), x_, at_);
+      M_.setZero();
+      add_products(at_.kinematic, 0, M_);
+      add_products(at_.dynamic, layout_.m, M_);
+      M_.triangularView<Eigen::StrictlyUpper>() = M_.transpose();
+      add_squares(columns_[static_cast<std::size_t>(k)].data(), size, M_, TM_, normal_);
+    }
+    normal_.topLeftCorner(size, size)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(height_row(s), weight_of_height * weight_of_height);
+  }
+
+  /// The last row of the normal equations alone, in a small part of the time.
+  Eigen::VectorXd gradient(const StandingSeries& s) {
+    const Eigen::Index k0 = layout_.of_kinematic(), d0 = layout_.of_dynamic(), m = layout_.m;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns_.front().size())), g(layout_.all());
+    for (int k = 0; k < places_.of_time; ++k) {
+      set_conditions(s.at(places_.at(k)), x_, at_);
+      g.setZero();
+      g.head(k0) = at_.kinematic.topRows(k0) * at_.kinematic.row(layout_.left()).transpose();
+      g.segment(m, d0) += at_.dynamic.topRows(d0) * at_.dynamic.row(layout_.left() - m).transpose();
+      Eigen::Index p = 0;
+      for (const Column& c : columns_[static_cast<std::size_t>(k)])
+        sum[p++] += c.by_first * g[c.first] + c.by_second * g[c.second];
+    }
+    const Eigen::VectorXd row = height_row(s);
+    return sum + weight_of_height * weight_of_height * row[row.size() - 1] * row;
+  }
+
+  /// The equation of the height: its derivatives and itself.
+  Eigen::VectorXd height_row(const StandingSeries& s) const {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns_.front().size()));
+    Eigen::Index p = 0;
+    for (const auto [i, j] : of_a_) row[p++] = j % 2 == 0 ? 0. : 2.;
+    row.tail(2) << -2. * s.relative_height, s.swing() - 2. * s.relative_height * s.K;
+    return row;
+  }
+
+  Layout layout_;
+  Places places_;
+  std::vector<Unknown> of_a_, of_b_;
+  std::vector<Multiples> x_;
+  std::vector<std::vector<Column>> columns_;
+  AtTime at_;
+  Eigen::MatrixXd M_, TM_, normal_;
+  bool has_factor_ = false;  ///< in normal_
+  bool near_ = false;
+  double last_ = 0.;
+};
 
 /// StandingWave::residual.
 double residual_of(const StandingSeries& s) {
@@ -278,16 +407,20 @@ double residual_of(const StandingSeries& s) {
   return std::max(kinematic / s.frequency(), dynamic) / s.swing();
 }
 
-/// None where the method diverges, or does not converge in most_iterations steps.
-std::optional<StandingSeries> converged(StandingSeries s) {
+/// A series whose residual stays above `enough` is only the start of one with more harmonics, and is improved no
+/// further. None where the method diverges, or does not converge in most_iterations steps.
+std::optional<StandingSeries> converged(StandingSeries s, double enough) {
   const double before = s.K;
-  for (int k = 0; k < most_iterations; ++k) {
-    const double change = improve(s);
+  Conditions conditions(s.n);
+  for (int k = 0; k < most_iterations; k += conditions.near() ? 1 : 2) {
+    const double kH = s.K * s.relative_height, change = conditions.improve(s) / std::max(1., kH);
     if (!std::isfinite(change) || s.K < 0.3 * before || s.K > 3. * before) return std::nullopt;
-    if (change < same_coefficients * std::max(1., s.K * s.relative_height)) {
-      s.residual = residual_of(s);
-      return s;
-    }
+    const bool same = change < same_coefficients * (conditions.near() ? std::clamp(0.3 * kH, 1e-3, 0.1) : 1.);
+    if (!same && change > start_for_more) continue;
+    s.residual = residual_of(s);
+    if (!same && s.residual < std::max(1.3 * enough, 3. * change)) continue;
+    conditions.set_slope(s);
+    return s;
   }
   return std::nullopt;
 }
@@ -300,11 +433,16 @@ StandingSeries raised(StandingSeries s, double factor) {
   return s;
 }
 
+StandingSeries higher(StandingSeries s, double relative_height) {
+  Conditions(s.n).raise(s, relative_height);
+  return s;
+}
+
 /// Solves from the small wave up, in `parts` equal steps of the height.
-std::optional<StandingSeries> grown(const StandingSeries& small, int parts) {
+std::optional<StandingSeries> grown(const StandingSeries& small, int parts, double enough) {
   std::optional<StandingSeries> s = with_harmonics(raised(small, 1. / parts), first_harmonics);
   for (int part = 1; s; ++part) {
-    s = converged(*s);
+    s = converged(*s, enough);
     if (part == parts) break;
     if (s) s = raised(*s, (part + 1.) / part);
   }
@@ -314,13 +452,18 @@ std::optional<StandingSeries> grown(const StandingSeries& small, int parts) {
 }  // namespace
 
 std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
-                                             int most_harmonics) {
+                                             int most_harmonics, const StandingSeries* lower) {
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const auto enough = [&](int n) { return n < most_harmonics ? residual : all; };
   const StandingSeries small = small_wave(relative_height, small_K);
   std::optional<StandingSeries> best;
-  for (int parts = 1; parts <= 16 && !best; parts *= 4) best = grown(small, parts);
+  if (lower && lower->slope.size() > 0) best = converged(higher(*lower, relative_height), enough(lower->n));
+  for (int parts = 1; parts <= 16 && !best; parts *= 4) best = grown(small, parts, residual);
   while (best && best->n < most_harmonics && best->residual > residual) {
-    const auto next = converged(with_harmonics(*best, std::min(most_harmonics, best->n + 4)));
-    if (!next || next->residual >= best->residual) break;
+    const int n = std::min(most_harmonics, best->n + 4);
+    const auto next = converged(with_harmonics(*best, n), enough(n));
+    if (!next || next->residual > 0.9 * best->residual) best = converged(*best, all);
+    if (!best || !next || next->residual >= best->residual) return best;
     best = next;
   }
   return best;

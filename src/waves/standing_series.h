@@ -40,6 +40,7 @@ struct StandingSeries {
   double relative_height = 0.;  ///< H/h
   double deep_frequency = 0.;   ///< (2 pi/T) sqrt(h/g)
   double residual = 0.;         ///< StandingWave::residual, once the coefficients are found
+  Eigen::VectorXd slope;        ///< how a, b, c and K change with H/h; may be empty
 
   double frequency() const;  ///< omega
   double swing() const;      ///< eta(0, 0) - eta(pi, 0)
@@ -53,8 +54,9 @@ struct SurfaceConditions {
 SurfaceConditions surface_conditions(const StandingInstant& instant, double x);
 
 /// A series of at most most_harmonics with that `residual` or less, or else with the smallest residual found; none
-/// where Newton's method finds no wave. small_K: kh of a small wave of that period.
+/// where Newton's method finds no wave. small_K: kh of a small wave of that period. `lower`: that of the same period
+/// and at most that height, or nullptr; the search begins with its harmonics, as a higher wave needs no fewer.
 std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
-                                             int most_harmonics);
+                                             int most_harmonics, const StandingSeries* lower = nullptr);
 
 }  // namespace upbead

@@ -65,15 +65,17 @@ TroughBound trough_bound(const Section& section, const Water& water, const Desig
   return {factor * -trough.force, factor * -trough.force_moment, seaward(section, water, trough, factor)};
 }
 
-StandingResult standing_answer(const Section& section, const Water& water, const DesignWave& wave, double factor) {
+StandingResult standing_answer(const Section& section, const Water& water, const DesignWave& wave, double factor,
+                               const StandingWave* lower) {
   const auto none = [&](const std::string& why) {
     return StandingResult{{}, why, trough_bound(section, water, wave, factor)};
   };
   if (wave.angle != 0.) return none("the wave does not come straight at the wall");
   if (section.dissipating_blocks) return none("wave-dissipating blocks leave no standing wave");
   try {
-    const StandingWave standing({section.water_depth, wave.height, wave.period}, water);
-    StandingAnswer a{standing.wavelength(), standing.residual(), standing_extremes(standing, section), {}, {}};
+    const StandingWave standing({section.water_depth, wave.height, wave.period}, water, lower);
+    StandingAnswer a{
+        standing.wavelength(), standing.residual(), standing_extremes(standing, section), {}, {}, standing};
     a.landward = stability(section, resultants(a.worst.landward, section.width, factor), still_water(section, water));
     a.seaward = seaward(section, water, a.worst.seaward, factor);
     return {a, ""};

@@ -38,7 +38,8 @@ constexpr double fastest_crest = 0.8;
 
 }  // namespace
 
-StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) : given_(given), water_(water) {
+StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water, const StandingWave* lower)
+    : given_(given), water_(water) {
   const std::string whose = "a standing wave needs";
   require_positive(given.depth, "depth", whose);
   require_positive(given.height, "height", whose);
@@ -47,7 +48,14 @@ StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) :
   require_positive(water.gravity, "gravity", whose);
   const double kh = relative_wave_number(given.period, given.depth, water.gravity);
   if (kh * given.height / given.depth > highest_that_comes * std::tanh(kh)) refuse(given);
-  const auto found = solve_standing(given.height / given.depth, kh, residual_wanted, most_harmonics);
+  const bool serves = lower && lower->given_.depth == given.depth && lower->given_.period == given.period &&
+                      lower->given_.height <= given.height && lower->water_.gravity == water.gravity;
+  if (serves && lower->given_.height == given.height) {
+    series_ = lower->series_;
+    return;
+  }
+  const auto found = solve_standing(given.height / given.depth, kh, residual_wanted, most_harmonics,
+                                    serves ? lower->series_.get() : nullptr);
   if (!found || found->residual > residual_allowed || found->at(0.).downward_acceleration() > fastest_crest)
     refuse(given);
   series_ = std::make_shared<const StandingSeries>(*found);
@@ -89,7 +97,8 @@ namespace {
 using Rule = boost::math::quadrature::gauss<double, 10>;
 
 /// Integral of a function that has kinks only at still water and at the surface.
-double integral_over_wall(const std::function<double(double)>& f, double from, double to, double surface) {
+template <class Function>
+double integral_over_wall(const Function& f, double from, double to, double surface) {
   std::vector<double> ends{from};
   for (const double kink : {std::min(surface, 0.), std::max(surface, 0.)})
     if (kink > ends.back() && kink < to) ends.push_back(kink);
@@ -97,6 +106,18 @@ double integral_over_wall(const std::function<double(double)>& f, double from, d
   double sum = 0.;
   for (std::size_t i = 1; i < ends.size(); ++i) sum += Rule::integrate(f, ends[i - 1], ends[i]);
   return sum;
+}
+
+/// Integral of f(p(y), y) over the caisson's front.
+template <class Function>
+double integral_over_front(const StandingMoment& moment, const Section& section, const Function& f) {
+  const double surface = moment.surface(), top = std::max(std::min(section.crest, surface), 0.);
+  return integral_over_wall([&](double y) { return f(moment.pressure(y), y); }, -section.foundation_depth, top,
+                            surface);
+}
+
+double force_at(const StandingWave& wave, const Section& section, double time) {
+  return integral_over_front(wave.at(time), section, [](double p, double) { return p; });
 }
 
 }  // namespace
@@ -107,11 +128,9 @@ WallPressure wall_pressure(const StandingWave& wave, const Section& section, dou
   at.time = time;
   at.surface = moment.surface();
   const double bottom = -section.foundation_depth;
-  const double top = std::max(std::min(section.crest, at.surface), 0.);
-  const auto p = [&](double y) { return moment.pressure(y); };
-  at.force = integral_over_wall(p, bottom, top, at.surface);
-  at.force_moment = integral_over_wall([&](double y) { return p(y) * (y - bottom); }, bottom, top, at.surface);
-  at.edge_pressure = p(bottom);
+  at.force = integral_over_front(moment, section, [](double p, double) { return p; });
+  at.force_moment = integral_over_front(moment, section, [&](double p, double y) { return p * (y - bottom); });
+  at.edge_pressure = moment.pressure(bottom);
   at.uplift = 0.5 * section.width * std::max(at.edge_pressure, 0.);
   return at;
 }
@@ -131,7 +150,7 @@ double least_at(const std::function<double(double)>& f, const std::vector<double
 StandingExtremes standing_extremes(const StandingWave& wave, const Section& section) {
   constexpr int samples = 32;  // of half a period: P is symmetric about the crest
   const double dt = 0.5 * wave.period() / samples;
-  const auto force = [&](double t) { return wall_pressure(wave, section, t).force; };
+  const auto force = [&](double t) { return force_at(wave, section, t); };
   const auto less = [&](double t) { return -force(t); };
   std::vector<double> forces, turned;
   for (int i = 0; i <= samples; ++i) {

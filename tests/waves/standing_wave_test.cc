@@ -240,6 +240,35 @@ TEST(StandingWave, IsWorstWhereNoTimeIsWorse) {
   EXPECT_NEAR(worst.crest - worst.trough, 2. * 4.5, 1e-9);
 }
 
+TEST(StandingWave, IsTheSameFromALowerOne) {
+  const Section section = standing_section();
+  for (const auto& [H, lower_H] : {std::pair(6., 5.9), {4., 0.5}, {7., 6.5}}) {
+    const StandingWave lower({15., lower_H, 12.}, water), from_lower({15., H, 12.}, water, &lower),
+        alone({15., H, 12.}, water);
+    EXPECT_EQ(from_lower.harmonics(), alone.harmonics()) << H;
+    EXPECT_NEAR(from_lower.wavelength() / alone.wavelength(), 1., 1e-9) << H;
+    const StandingExtremes a = standing_extremes(from_lower, section), b = standing_extremes(alone, section);
+    EXPECT_NEAR(a.landward.force / b.landward.force, 1., 3e-8) << H;
+    EXPECT_NEAR(a.seaward.force / b.seaward.force, 1., 3e-8) << H;
+  }
+}
+
+TEST(StandingWave, IsNotSolvedTwice) {
+  const StandingWave once({15., 5., 9.}, water), again({15., 5., 9.}, water, &once),
+      higher({15., 5.1, 9.}, water, &once);
+  EXPECT_EQ(again.wavelength(), once.wavelength());
+  EXPECT_EQ(again.pressure(-3., 1.), once.pressure(-3., 1.));
+  EXPECT_NE(higher.wavelength(), once.wavelength());
+}
+
+TEST(StandingWave, DoesNotStartFromAnotherSea) {
+  const StandingWave alone({15., 5., 12.}, water);
+  for (const StandingWaveGiven& other : {StandingWaveGiven{15., 5.1, 12.}, {14.9, 4.9, 12.}, {15., 4.9, 11.9}}) {
+    const StandingWave before(other, water);
+    EXPECT_EQ(StandingWave({15., 5., 12.}, water, &before).wavelength(), alone.wavelength());
+  }
+}
+
 TEST(StandingWave, PullsInDeepWaterMoreThanItPushes) {
   // Goda (2000), 4.2.4: seaward forces exceed landward ones where h/L is larger than about 0.25
   Section section = standing_section();

@@ -15,6 +15,7 @@ struct StandingAnswer {
   double residual = 0.;    ///< StandingWave::residual
   StandingExtremes worst;
   Stability landward, seaward;  ///< heel_pressure of `seaward` is that of the toe
+  StandingWave wave;
 };
 
 /// A bound of the trough, where no standing wave of finite height is known: Sainflou's (1928) trough without the rise
@@ -40,7 +41,8 @@ struct StandingResult {
 };
 
 /// For a wave that comes straight at a plain wall, on a flat bed without the mound. All its forces are multiplied by
-/// `factor`, as those of a load are.
-StandingResult standing_answer(const Section& section, const Water& water, const DesignWave& wave, double factor = 1.);
+/// `factor`, as those of a load are. `lower` as in StandingWave.
+StandingResult standing_answer(const Section& section, const Water& water, const DesignWave& wave, double factor = 1.,
+                               const StandingWave* lower = nullptr);
 
 }  // namespace upbead

@@ -40,8 +40,10 @@ class StandingMoment {
 class StandingWave {
  public:
   /// Throws std::invalid_argument unless all numbers are positive; NumericsError where no such wave is found: it
-  /// breaks, or the water is so shallow that the series do not converge.
-  StandingWave(const StandingWaveGiven& given, const Water& water);
+  /// breaks, or the water is so shallow that the series do not converge. `lower`: a wave found before, or nullptr;
+  /// where its depth and period are the same, and it is not higher, the search begins with it. That halves the time,
+  /// and changes no more than the last step of its search.
+  StandingWave(const StandingWaveGiven& given, const Water& water, const StandingWave* lower = nullptr);
 
   double wavelength() const;  ///< L (m), which depends on H
   int harmonics() const;      ///< largest, in space and in time
