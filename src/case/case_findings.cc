@@ -136,7 +136,8 @@ Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* r
   };
   f.parts.emplace_back([input, records](const Evidence& e, Summary& s) {
     if (!records->empty())
-      s.measured = compare_measured(*input, *records, histories(e.simulation, e.of(find_history).series));
+      s.measured =
+          compare_measured(*input, *records, histories(e.simulation, e.of(find_history).series, e.solution.contact));
   });
   f.warnings = [records](const Evidence&, const Summary& s) {
     NumberedWarnings list;

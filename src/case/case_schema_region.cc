@@ -91,6 +91,7 @@ TableSchema<Densification> densification_schema() {
 }
 
 TableSchema<ContactLaw> contact_schema() {
+  const auto slips = [](const ContactLaw& law) { return law.kind == ContactKind::friction; };
   TableSchema<ContactLaw> table;
   table
       .choice("kind", &ContactLaw::kind, contact_kind_words,
@@ -98,9 +99,12 @@ TableSchema<ContactLaw> contact_schema() {
       .formerly_word("tied", "bonded");
   table.key("coefficient", &ContactLaw::coefficient, "", "friction coefficient mu", above(0.))
       .fallback("friction of [sliding], or 0.6")
-      .when(
-          "kind", [](const ContactLaw& law) { return law.kind == ContactKind::friction; },
-          "where the contact is by friction");
+      .when("kind", slips, "where the contact is by friction");
+  table
+      .choice("gap", &ContactLaw::gap, gap_source_words,
+              "where an edge has lifted; pores: its gap takes water from the pores beneath alone; sea: the gap has the "
+              "pressure of the loads at the foot of the wall above it, from where it falls in a straight line")
+      .when("kind", slips, "where the contact is by friction");
   return table;
 }
 

@@ -130,6 +130,7 @@ void FrictionalContact::end_step(const State& state) {
 void FrictionalContact::report() {
   const InterfaceState& now = stage_.now();
   report_.forces = now.forces;
+  report_.gap = stage_.gap();
   report_.slip_steps += now.slipped;
   report_.open_steps += now.opened;
   report_.impacts += now.impacts;

@@ -29,6 +29,7 @@ struct InterfaceForces {
 /// Results of a scheme with a contact law.
 struct ContactReport {
   InterfaceForces forces;  ///< at the end of the last step
+  Vector gap{};            ///< then: forces of the water that entered gaps, beyond those of loads; empty: none did
   int slip_steps = 0;      ///< steps in which a node slipped
   int open_steps = 0;      ///< steps in which a node was open
   int impacts = 0;         ///< how often a node closed

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "system/part.h"
+
 namespace upbead::detail {
 
 namespace {
@@ -16,6 +18,7 @@ ContactStage::ContactStage(const System& system)
       interface_(*system.interface),
       n_(interface_.n_nodes()),
       scale_(interface_.normal_force.cwiseAbs().maxCoeff()),
+      gaps_(interface_),
       no_load_(system.size()),
       correction_(system.size()) {
   start(at_rest(system));
@@ -37,6 +40,14 @@ void ContactStage::begin_step(StopAt stop) {
   stop_ = stop;
   now_.slipped = now_.opened = false;
   now_.impacts = 0;
+  gaps_.open(now_.status);
+  gap_.resize(0);
+}
+
+void ContactStage::add_load(double time, double inside, Vector& f) {
+  if (!gaps_.act()) return;
+  gap_ = gaps_.at(time, inside);
+  if (counts_for_prescribed(system_)) f.segment(system_.first_opening(), n_) += gap_;
 }
 
 bool ContactStage::all_stick() const {

@@ -7,6 +7,7 @@
 
 #include "dynamics/contact_problem.h"
 #include "dynamics/dirk.h"
+#include "dynamics/gap_water.h"
 
 namespace upbead::detail {
 
@@ -40,10 +41,14 @@ class ContactStage : public StageLaw {
  public:
   explicit ContactStage(const System& system);
   void start(const State& state);
+  /// Gaps stay as they are now until the next step begins.
   void begin_step(StopAt stop);
+  void add_load(double time, double inside, Vector& f) override;
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
 
   const InterfaceState& now() const { return now_; }
+  /// Forces of the water in gaps in the last stage; empty: none act.
+  const Vector& gap() const { return gap_; }
   /// Restores an earlier state.
   void restore(const InterfaceState& before) { now_ = before; }
   /// Whether all nodes stick.
@@ -68,6 +73,8 @@ class ContactStage : public StageLaw {
   int n_;
   double scale_;  ///< largest normal force at rest
   InterfaceState now_;
+  GapForces gaps_;
+  Vector gap_;
   StopAt stop_ = StopAt::never;
   std::map<double, Condensed> condensed_;  ///< by g
   int fallbacks_of_dropped_ = 0;

@@ -82,6 +82,7 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
   for (int i = 0; i < n_stages(); ++i) {
     loads_.evaluate(state.time + c_[i] * h, inside, load_);
     loads_.sum(load_, f_);
+    if (law != nullptr) law->add_load(state.time + c_[i] * h, inside, f_);
     predict(state, h, i);
     if (n_prescribed > 0) {
       loads_.prescribe(load_, now_.a);

@@ -52,6 +52,8 @@ struct DirkStage {
 class StageLaw {
  public:
   virtual ~StageLaw() = default;
+  /// Adds to the loads of a stage at a time, on the piece that contains the time `inside`.
+  virtual void add_load(double /*time*/, double /*inside*/, Vector& /*f*/) {}
   /// Solves the stage and moves it. False: the step must not go on.
   virtual bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) = 0;
   /// The force, besides the loads, on the prescribed unknowns of the solved stage; null: none.

@@ -65,6 +65,9 @@ class YieldingStage : public StageLaw {
   }
   /// Whether a step stops where a node closes.
   void stop_at_impact(bool stops) { stops_ = stops; }
+  void add_load(double time, double inside, Vector& f) override {
+    if (contact_) contact_->add_load(time, inside, f);
+  }
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
   const Vector* force_on_prescribed() const override { return &on_prescribed_; }
 
@@ -343,6 +346,7 @@ void YieldingDirk::advance_through_impact(State& state, double h, double inside,
 void YieldingDirk::report_contact() {
   const InterfaceState& now = stage_.contact()->now();
   contact_.forces = now.forces;
+  contact_.gap = stage_.contact()->gap();
   contact_.slip_steps += now.slipped;
   contact_.open_steps += now.opened;
   contact_.impacts += now.impacts;

@@ -208,6 +208,17 @@ void check_base_springs(Checker& checker) {
   check_asked_of_ground(checker);
 }
 
+/// Whether a pressure on that curve is that of pore water, too.
+bool wets_pores(const Checker& checker, const std::string& curve) {
+  const auto outer = checker.outline.outer.find(curve);
+  const auto side = checker.scene.boundaries.find(curve);
+  if (outer == checker.outline.outer.end() || side == checker.scene.boundaries.end()) return false;
+  const Names& behind = outer->second.surfaces;
+  return side->second.pressure == PressureCondition::open &&
+         std::any_of(behind.begin(), behind.end(),
+                     [&](const std::string& name) { return checker.has_pore_water(name); });
+}
+
 /// Only a rigid caisson on a level bottom may slip, and only in a march in time.
 void check_contact(Checker& checker) {
   for (const auto& [name, region] : checker.scene.regions)
@@ -219,6 +230,13 @@ void check_contact(Checker& checker) {
     checker.object(key, reason.why, reason.cure);
   if (!bottom_is_level(checker.mesh))
     checker.object(key, "the caisson's bottom is not level", "write kind = \"bonded\", or level it in the mesh");
+  if (checker.scene.regions.at(caisson_name).interface->gap != GapSource::sea) return;
+  for (const auto& [name, load] : checker.scene.loads)
+    if (load.kind == LoadKind::pressure && load.factor != 0. && wets_pores(checker, load.boundary))
+      checker.object(key + ".gap",
+                     "the load '" + name + "' sets the pressure of pore water on '" + load.boundary +
+                         "', from where gaps take it: the sea in gaps would count it twice",
+                     "write gap = \"pores\"");
 }
 
 void check_probes(Checker& checker) {

@@ -258,6 +258,22 @@ class LoadCompiler {
 
 }  // namespace
 
+double pressure_at_foot(const Space& space, const Load& load, const Point<dim>& foot) {
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      const auto face = cell->face(f);
+      if (space.mesh().surface_of(cell) != caisson_name || space.mesh().curve_of(face) != load.boundary) continue;
+      const double close = 1e-6 * face->measure();
+      if (face->vertex(0).distance(foot) > close && face->vertex(1).distance(foot) > close) continue;
+      const Tensor<1, dim> along = (face->vertex(1) - face->vertex(0)) / face->measure();
+      Tensor<1, dim> normal({along[1], -along[0]});
+      if (normal * (face->center() - cell->center()) < 0.) normal *= -1.;
+      const double scale = load.kind == LoadKind::force ? 1. / total_intensity(space, load) : 1.;
+      return -(traction(load, foot, normal, scale) * normal);
+    }
+  return 0.;
+}
+
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
                          const NodalReaction* ground) {

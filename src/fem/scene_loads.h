@@ -28,4 +28,8 @@ SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns&
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
                          const NodalReaction* ground);
 
+/// The pressure that a load on a wall of the caisson has at the wall's lower end `foot`, at f(t) = 1 (Pa); 0 where it
+/// acts elsewhere.
+double pressure_at_foot(const Space& space, const Load& load, const dealii::Point<dim>& foot);
+
 }  // namespace upbead

@@ -225,7 +225,7 @@ OutputSchema<BaseSummary> base_outputs() {
 }  // namespace
 
 std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
-  return effective_base(e.simulation, e.of(find_history).series);
+  return effective_base(e.simulation, e.of(find_history).series, e.solution.contact);
 }
 
 Finding base_finding() {

@@ -50,6 +50,9 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("least_normal_force", &C::least_normal_force, "N/m", "least normal force: sum of N")
       .key("first_slip", &C::first_slip, "s", "when a node first slips; null: never")
       .key("first_open", &C::first_open, "s", "when a node first opens; null: never")
+      .key("gap_force", &C::gap_force, "N/m",
+           "largest uplift that the sea in gaps adds to a prescribed one; null where gaps take water from the pores "
+           "alone")
       .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
       .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
       .key("open_steps", &C::open_steps, "", "steps in which a node was open")

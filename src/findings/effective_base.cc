@@ -57,6 +57,20 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
   return rest;
 }
 
+/// Adds what the sea in gaps presses with, which is straight between the ends of steps.
+void add_gaps(const ContactHistory& contact, const std::vector<double>& time, double middle, EffectiveBase& base) {
+  if (contact.gap_force.empty()) return;
+  const TimeFunction force = piecewise_linear(contact.time, contact.gap_force),
+                     moment_about_zero = piecewise_linear(contact.time, contact.gap_moment);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double F = force(time[i]), M = moment_about_zero(time[i]) + middle * F;
+    base.uplift[i] += F;
+    base.uplift_moment[i] += M;
+    base.force[i] -= F;
+    base.moment[i] += M;
+  }
+}
+
 }  // namespace
 
 std::optional<double> weight_in_water(const Simulation& simulation) {
@@ -64,7 +78,8 @@ std::optional<double> weight_in_water(const Simulation& simulation) {
   return std::isfinite(level) ? std::optional(submerged_weight(simulation, level).force) : std::nullopt;
 }
 
-std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends) {
+std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends,
+                                            const std::optional<ContactSolution>& contact) {
   if (!simulation.compiled()->caisson) return std::nullopt;
   const std::optional<RestingForces> rest = at_rest(simulation);
   if (!rest || !(rest->force > 0.)) return std::nullopt;
@@ -91,6 +106,8 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
     base.force.push_back(rest->force + N[t] - force);
     base.moment.push_back(rest->moment + M[t] + moment);
   }
+  if (contact && contact->history)
+    add_gaps(*contact->history, ends.time, simulation.compiled()->caisson->bottom_centre[0], base);
   return base;
 }
 

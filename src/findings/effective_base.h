@@ -15,8 +15,10 @@ namespace upbead {
 std::optional<double> weight_in_water(const Simulation& simulation);
 
 /// W' is that of [sliding], or the mass minus the water that the caisson displaces below still water. None without
-/// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time.
-std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends);
+/// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time;
+/// `contact`: what nodes did that slip and open.
+std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends,
+                                            const std::optional<ContactSolution>& contact = std::nullopt);
 
 /// The same without motion: the loads at each time as they act on the caisson, with the same uplift.
 EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time);

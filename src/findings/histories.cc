@@ -61,14 +61,19 @@ std::vector<Dataset> node_tables(const std::optional<ContactSolution>& solved) {
   const std::optional<ContactHistory>& contact = solved->history;
   const std::size_t n = contact->position.size();
   const std::string nodes = " by time and node of the caisson's bottom";
-  return {{"history/interface/opened_width", "m", "length of the bottom that has parted from the ground",
-           opened_width(*contact)},
-          {"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
-          {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
-          {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
-          {"interface/opening", "m", "opening," + nodes, contact->opening, n},
-          {"interface/shear_force", "N/m", "shear force on the ground, landward," + nodes, contact->shear_force, n},
-          {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
+  std::vector<Dataset> list{
+      {"history/interface/opened_width", "m", "length of the bottom that has parted from the ground",
+       opened_width(*contact)},
+      {"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
+      {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
+      {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
+      {"interface/opening", "m", "opening," + nodes, contact->opening, n},
+      {"interface/shear_force", "N/m", "shear force on the ground, landward," + nodes, contact->shear_force, n},
+      {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
+  if (!contact->gap_force.empty())
+    list.push_back({"history/interface/gap_force", "N/m", "uplift that the sea in gaps adds to a prescribed one",
+                    contact->gap_force});
+  return list;
 }
 
 /// Histories of the caisson that slips as a whole, at their own times.
@@ -140,7 +145,8 @@ HistoryRows find_history(const Evidence& e) {
   return {trajectory.at(rows.time), rows.error};
 }
 
-std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
+std::vector<Dataset> histories(const Simulation& simulation, const Series& series,
+                               const std::optional<ContactSolution>& contact) {
   const System& system = simulation.system();
   std::vector<Dataset> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
@@ -150,14 +156,14 @@ std::vector<Dataset> histories(const Simulation& simulation, const Series& serie
     list.push_back(
         {reading.name.text(), reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
   }
-  if (const std::optional<EffectiveBase> base = effective_base(simulation, series))
+  if (const std::optional<EffectiveBase> base = effective_base(simulation, series, contact))
     for (Dataset& history : base_histories(*base)) list.push_back(std::move(history));
   return list;
 }
 
 std::string times_csv(const Run& run) {
   const std::vector<double>& times = run.simulation->scene().output_times;
-  const std::vector<Dataset> list = histories(*run.simulation, trajectory_of(run).at(times));
+  const std::vector<Dataset> list = histories(*run.simulation, trajectory_of(run).at(times), run.contact);
   std::string text;
   for (const Dataset& column : list)
     text += (text.empty() ? "" : ",") + csv_cell(column.name + (column.unit == "1" ? "" : " (" + column.unit + ")"));
@@ -192,7 +198,7 @@ std::vector<Dataset> tables(const Run& run) {
   const Trajectory trajectory = trajectory_of(run);
   std::vector<Dataset> all;
   const auto add = [&](const std::string& folder, const Series& series, const std::string& of_rows) {
-    for (Dataset& history : histories(*run.simulation, series)) {
+    for (Dataset& history : histories(*run.simulation, series, run.contact)) {
       if (history.name == "time") history.description += of_rows;
       history.name = folder + history.name;
       all.push_back(std::move(history));

@@ -14,8 +14,9 @@ namespace upbead {
 Trajectory trajectory_of(const Solution& solution);
 
 /// Histories of all readings, by the names of /history, and those of the base (effective_base.h). `ends`: of the
-/// scene.
-std::vector<Dataset> histories(const Simulation& simulation, const Series& ends);
+/// scene; `contact`: what nodes did that slip and open.
+std::vector<Dataset> histories(const Simulation& simulation, const Series& ends,
+                               const std::optional<ContactSolution>& contact = std::nullopt);
 
 /// The same at the times that [output] lists, as a table: one row for each time; the header has names with units.
 std::string times_csv(const Run& run);

@@ -33,8 +33,8 @@ inline bool operator==(const StrainLaw& a, const StrainLaw& b) {
 }
 
 inline auto members(const ContactLaw& of) {
-  const auto& [kind, coefficient] = of;
-  return std::tie(kind, coefficient);
+  const auto& [kind, coefficient, gap] = of;
+  return std::tie(kind, coefficient, gap);
 }
 inline bool operator==(const ContactLaw& a, const ContactLaw& b) {
   return members(a) == members(b);

@@ -11,6 +11,8 @@ const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
 
 const Words<ContactKind> contact_kind_words{{"bonded", ContactKind::bonded}, {"friction", ContactKind::friction}};
 
+const Words<GapSource> gap_source_words{{"pores", GapSource::pores}, {"sea", GapSource::sea}};
+
 const Words<SoilLaw> soil_law_words = [] {
   Words<SoilLaw> words{{"elastic", SoilLaw::elastic}};
   for (const SoilLawRow* row : soil_law_rows()) words.emplace_back(row->word, static_cast<SoilLaw>(words.size()));

@@ -14,6 +14,7 @@ using Words = std::vector<std::pair<std::string, Enum>>;
 
 extern const Words<RegionKind> region_kind_words;
 extern const Words<ContactKind> contact_kind_words;
+extern const Words<GapSource> gap_source_words;
 extern const Words<SoilLaw> soil_law_words;
 extern const Words<RestStart> rest_start_words;
 extern const Words<Flow> flow_words;

@@ -22,6 +22,11 @@ const std::vector<BadCase> contact_rows{
     BadCase{"CoefficientOfATie", caisson, interface + "{ coefficient = 0.6 }\n",
             "case.toml:38:15: 'coefficient' does not belong in [regions.caisson.interface] (only where the contact is "
             "by friction); remove it"},
+    BadCase{"GapOfATie", caisson, interface + "{ gap = \"sea\" }\n",
+            "case.toml:38:15: 'gap' does not belong in [regions.caisson.interface] (only where the contact is by "
+            "friction); remove it"},
+    BadCase{"GapOfAir", caisson, interface + "{ kind = \"friction\", gap = \"air\" }\n",
+            "case.toml:38:34: gap = \"air\" is none of pores, sea; choose one of them"},
     BadCase{
         "InSoil", "biot = 0.9", "biot = 0.9\ninterface = { kind = \"friction\" }",
         "case.toml:24:1: 'interface' does not belong in [regions.rubble] (only in solid and rigid regions); remove it"},

@@ -81,9 +81,16 @@ enum class ContactKind {
   friction,  ///< Coulomb friction and no tension, node by node
 };
 
+/// Where the water comes from that fills the gap under an edge that has lifted.
+enum class GapSource {
+  pores,  ///< from the pores beneath alone
+  sea,    ///< from the sea: the gap has the pressure of the loads at the foot of the wall above it
+};
+
 struct ContactLaw {
   ContactKind kind = ContactKind::bonded;
   std::optional<double> coefficient;  ///< mu; none: that of [sliding], or 0.6
+  GapSource gap = GapSource::pores;
 };
 
 /// Forces on the middle of the caisson's base from what stands for its ground, per unit of its motions and per metre of

@@ -55,6 +55,7 @@ struct NodeContact {
   double opening_seaward = 0., opening_landward = 0.;
   double least_contact = 1., least_normal_force = 0.;
   std::optional<double> first_slip, first_open;
+  std::optional<double> gap_force;     ///< largest that the sea in gaps adds (N/m); none: they take it from the pores
   double dissipated = 0.;
   int slip_steps = 0, open_steps = 0;   ///< steps in which a node slipped, was open
   int impacts = 0;                      ///< how often a node closed
@@ -76,6 +77,9 @@ struct ContactHistory {
   std::vector<double> time;                       ///< s
   std::vector<double> slip, opening;              ///< m
   std::vector<double> shear_force, normal_force;  ///< T_i, landward on the ground, and effective N_i (N/m)
+  /// What the sea in gaps adds to a prescribed uplift: force (N/m), and moment about x = 0, overturning landward
+  /// positive (N m/m), by step; empty where gaps take water from the pores alone.
+  std::vector<double> gap_force, gap_moment;
 };
 
 /// S by tau_0 of eqs. (8)-(11) of Shimosako and Takahashi (1994) and the run's own F_Smax.

@@ -2,6 +2,7 @@
 // What makes the system knows nothing of time marching; what marches it knows nothing of caissons.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,16 +71,19 @@ Reading position_reading(ReadingName name, std::string unit, std::string descrip
 Reading velocity_reading(ReadingName name, std::string unit, std::string description, Row row);
 Reading acceleration_reading(ReadingName name, std::string unit, std::string description, Row row);
 
+struct GapWater;  // dynamics/gap_water.h
+
 /// The interface where two bodies touch and may slip and open, node by node. Its unknowns are motions of the upper body
 /// relative to the lower one: slip (m, landward) of all nodes, then opening (m, apart) of all nodes. They are the last
 /// unknowns of the system and count as prescribed: kept at zero, they bond the bodies; a contact law may move them.
 /// With them the residual M x'' + C x' + K x - f of a row of slip is -T_i, T_i the shear force on the lower body (N/m),
 /// and that of a row of opening the change of the effective normal force N_i (N/m, compression positive).
 struct Interface {
-  std::vector<double> position;  ///< of each node along the contact (m), ascending
-  std::vector<double> length;    ///< of the contact at each node (m): force over length is stress
-  Vector normal_force;           ///< N_i at rest (N/m)
-  double friction = 0.;          ///< mu
+  std::vector<double> position;           ///< of each node along the contact (m), ascending
+  std::vector<double> length;             ///< of the contact at each node (m): force over length is stress
+  Vector normal_force;                    ///< N_i at rest (N/m)
+  double friction = 0.;                   ///< mu
+  std::shared_ptr<const GapWater> gap{};  ///< of the sea, which enters gaps; null: they take water from the pores alone
 
   int n_nodes() const { return static_cast<int>(position.size()); }
 };

@@ -26,6 +26,7 @@ class ContactRecorder : public MarchObserver {
     append(history_.opening, state.x.segment(system_.first_opening(), n));
     append(history_.shear_force, forces.shear);
     append(history_.normal_force, forces.normal);
+    if (system_.interface->gap) see_gap(scheme_.contact()->gap);
   }
   ContactHistory history() const {
     ContactHistory history = history_;
@@ -62,6 +63,8 @@ class ContactRecorder : public MarchObserver {
       out.least_contact = std::min(out.least_contact, contact);
       out.least_normal_force = std::min(out.least_normal_force, normal);
     }
+    if (!history_.gap_force.empty())
+      out.gap_force = *std::max_element(history_.gap_force.begin(), history_.gap_force.end());
     const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
     out.least_slip =
         *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -69,6 +72,16 @@ class ContactRecorder : public MarchObserver {
   }
 
  private:
+  void see_gap(const Vector& force) {
+    const std::vector<double>& x = system_.interface->position;
+    double sum = 0., moment = 0.;
+    for (Eigen::Index i = 0; i < force.size(); ++i) {
+      sum += force[i];
+      moment -= force[i] * x[static_cast<std::size_t>(i)];
+    }
+    history_.gap_force.push_back(sum);
+    history_.gap_moment.push_back(moment);
+  }
   const System& system_;
   const Scheme& scheme_;
   ContactHistory history_;

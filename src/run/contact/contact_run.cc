@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "dynamics/contact.h"
+#include "dynamics/gap_water.h"
 #include "fem/compile.h"
 #include "fem/static_stage.h"
 #include "run/contact/contact_recorder.h"
@@ -126,6 +127,15 @@ void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
       apart.vector.segment(system.first_opening(), system.interface->n_nodes()) = load.node;
     system.loads.push_back(std::move(apart));
   }
+}
+
+/// The water of an interface whose gaps are open to the sea; null where they are not.
+std::shared_ptr<const GapWater> gap_water(const Simulation& simulation, const std::vector<UpliftLoad>& uplift) {
+  if (simulation.scene().regions.at(caisson_name).interface->gap != GapSource::sea) return nullptr;
+  auto water = std::make_shared<GapWater>();
+  water->foot = pressures_at_feet(simulation);
+  for (const UpliftLoad& load : uplift) water->closed.push_back({load.node, load.pressure});
+  return water;
 }
 
 Ladder joined(Ladder ladder, const Ladder& more) {
@@ -257,6 +267,7 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   before.simulation = std::make_shared<const Simulation>(bonded);
   before.ladder = joined(at_rest, before.ladder);
   add_loads(uplift, system);
+  system.interface->gap = gap_water(simulation, uplift);
   // with other starts of yielding soil nodes may slip, though they do not with this one
   if (!found.demand.reached && !simulation.scene().fields_every && !soil_yields) {
     before.contact = {found, {}, nullptr};

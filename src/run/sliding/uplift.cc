@@ -108,4 +108,19 @@ std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::ve
   return loads;
 }
 
+std::array<TimeFunction, 2> pressures_at_feet(const Simulation& simulation) {
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  std::array<TimeFunction, 2> pressures;
+  for (const auto& [name, load] : simulation.scene().loads) {
+    if (load.boundary.empty() || load.factor == 0. || is_motion(load.kind)) continue;
+    for (std::size_t side = 0; side < 2; ++side) {
+      dealii::Point<dim> foot = caisson.bottom_centre;
+      foot[0] += (side == 0 ? -0.5 : 0.5) * caisson.bottom_width;
+      if (const double at_foot = pressure_at_foot(*simulation.space(), load, foot); at_foot != 0.)
+        pressures[side] = sum(pressures[side], scaled(load.history, at_foot));
+    }
+  }
+  return pressures;
+}
+
 }  // namespace upbead

@@ -1,6 +1,7 @@
 // A prescribed uplift: its course in time, and its pressure on the base.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "fem/compile.h"
@@ -24,5 +25,9 @@ struct UpliftLoad {
 /// says how it is spread, and f is U(t).
 std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::vector<double>& position,
                                      const std::vector<double>& length);
+
+/// p(t) of the loads on the caisson's walls at their feet, seaward and landward (Pa): that of the water there, but for
+/// a sea that is meshed.
+std::array<TimeFunction, 2> pressures_at_feet(const Simulation& simulation);
 
 }  // namespace upbead

@@ -124,7 +124,7 @@ TEST(NodeContactUplift, OnRigidGroundIsTheExactBlockUnderAHalfSineAtLength) {
 
 /// Largest difference of the resultants of the nodes' normal forces from N' and M', over W' and W' B.
 double unbalanced(const upbead::Run& found) {
-  const EffectiveBase base = *effective_base(*found.simulation, found.response.ends);
+  const EffectiveBase base = *effective_base(*found.simulation, found.response.ends, found.contact);
   const ContactHistory& nodes = *found.contact->history;
   const std::size_t n = nodes.position.size();
   double worst = 0.;
@@ -161,6 +161,62 @@ TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
     record.at_most(std::string("forces of the nodes against N' and M', with pore water and sea, spread ") +
                        (spread == UpliftDistribution::triangle ? "as a triangle" : "evenly"),
                    unbalanced(found), 1e-12);
+  }
+}
+
+/// A pressure on the whole seaward wall, from `at_foot` at its foot (y = 6 m) to half of it at the water level.
+Scene with_sea_in_gaps(Scene scene, double at_foot, GapSource gap) {
+  Load& load = scene.loads["wave"];
+  load.boundary = "front";
+  load.kind = LoadKind::pressure;
+  load.shape = {{6., 1.}, {15., 0.5}};
+  load.history = triangle(at_foot, 0.3);
+  scene.regions[caisson_name].interface->gap = gap;
+  return scene;
+}
+
+TEST(NodeContactUplift, OfTheSeaInGapsIsBalancedToo) {
+  const double U = 0.1 * submerged_weight();
+  struct Section {
+    std::string name;
+    Scene scene;
+    std::shared_ptr<const Mesh> mesh;
+  };
+  for (const auto& [name, scene, mesh] :
+       {Section{"drained", drained_section(triangle(7e6, 0.15), 8.), breakwater_mesh(0.25)},
+        Section{"with pore water and sea", wet_section(triangle(7e6, 0.15), 8.), breakwater_mesh(0.25, with_sea())}}) {
+    const auto answer = [&, section = scene, on = mesh](GapSource gap) {
+      const UpliftChoice uplift = of_peak(U, UpliftCourse::in_phase);
+      return solved(with_sea_in_gaps(with_uplift(section, uplift), 1e5, gap), on, 0.6, 0.15 / 32.);
+    };
+    const upbead::Run sea = answer(GapSource::sea), pores = answer(GapSource::pores);
+    const NodeContact &with = *sea.summary.contact->solved, &without = *pores.summary.contact->solved;
+    EXPECT_LE(unbalanced(sea), 1e-12) << name;
+    EXPECT_LE(sea.summary.energy->mismatch(), 1e-12) << name;
+    EXPECT_GT(*with.gap_force, 1e5);
+    EXPECT_FALSE(without.gap_force);
+    EXPECT_GT(with.slip, without.slip);
+    EXPECT_GT(with.opening_seaward, without.opening_seaward);
+    EXPECT_LT(with.least_normal_force, without.least_normal_force);
+  }
+}
+
+/// A load of kind force has there its share of the resultant; one on the other wall has none.
+TEST(NodeContactUplift, OfTheSeaHasThePressureAtTheFeetOfTheWalls) {
+  Scene scene = with_sea_in_gaps(
+      with_uplift(drained_section(triangle(7e6, 0.15), 8.), of_peak(1e5, UpliftCourse::held)), 1e5, GapSource::sea);
+  Load& force = scene.loads["force"] = scene.loads["wave"];
+  force.kind = LoadKind::force;  // 0.75 of the pressure at the foot over 9 m
+  force.history = triangle(1e6, 0.3);
+  Load& behind = scene.loads["behind"] = scene.loads["wave"];
+  behind.boundary = "back";
+  behind.history = triangle(2e4, 0.2);
+  scene.time.end = 0.6;
+  const auto feet = pressures_at_feet(Simulation(scene, breakwater_mesh(0.1)));
+  for (const double t : {0.05, 0.15, 0.21}) {
+    const double course = triangle(1., 0.3)(t);
+    EXPECT_NEAR(feet[0](t), course * (1e5 + 1e6 / (0.75 * 9.)), 1e-3);
+    EXPECT_NEAR(feet[1](t), triangle(2e4, 0.2)(t), 1e-9);
   }
 }
 
