@@ -128,6 +128,8 @@ const KnownWarning known_warnings[] = {
     {"no_own_dynamics", "0 and 0: the life of a sheet is by formulas alone, and why", "sheet", "sheet.md"},
     {"no_rest", "the ground cannot carry the weights: `safety.upper` where it is known, and 1; voids the verdict",
      "run", "warnings.md#soil-that-yields"},
+    {"no_settlement", "largest opening of an end of a base that lifts from ground that does not yield, and 0 (m)",
+     "run", "contact.md#what-a-lift-leaves"},
     {"no_water", "W' as given, and the weight in air (N/m)", "run, explain", "warnings.md#units"},
     {"not_identifiable", "fits that do not tell a and b, and 0", "calibrate", "calibration.md"},
     {"nothing_holds", "how far the loads shift the section as a whole, and 1e-5 (m)", "run, explain",

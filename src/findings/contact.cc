@@ -50,6 +50,13 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("least_normal_force", &C::least_normal_force, "N/m", "least normal force: sum of N")
       .key("first_slip", &C::first_slip, "s", "when a node first slips; null: never")
       .key("first_open", &C::first_open, "s", "when a node first opens; null: never")
+      .key("lift_energy", &C::lift_energy, "J/m",
+           "largest that the weight has gained by openings: what comes down again")
+      .key("closing_speed", &C::closing_speed, "m/s", "largest speed at which an end of the bottom comes down; 0: none")
+      .key("closing_time", &C::closing_time, "s", "when it does; null: neither end has opened and closed")
+      .key("last_closing", &C::last_closing, "s",
+           "since when the whole bottom touches again; null where no node opened, or one is open in the end")
+      .key("open_in_end", &C::open_in_end, "", "share of the bottom that is open in the end: of its width")
       .key("gap_force", &C::gap_force, "N/m",
            "largest uplift that the sea in gaps adds to a prescribed one; null where gaps take water from the pores "
            "alone")
@@ -102,8 +109,24 @@ NumberedWarnings warnings_of_ground(const Summary& summary) {
            "write time.scheme = \"auto\" where these readings matter"}};
 }
 
+/// Warning no_settlement: a base lifts and comes down on ground that does not yield.
+NumberedWarnings warnings_of_lift(const Evidence& e, const Summary& summary) {
+  if (!is_solved_with_friction(summary) || !summary.contact->solved->first_open || yields(e.scene)) return {};
+  const NodeContact& solved = *summary.contact->solved;
+  const double lift = std::max(solved.opening_seaward, solved.opening_landward);
+  const std::string down = solved.open_in_end > 0.
+                               ? ", and is open over " + percent(solved.open_in_end) + " of its width when the run ends"
+                               : ", with " + with_unit(solved.lift_energy, "J/m") + ", and comes down at up to " +
+                                     with_unit(solved.closing_speed, "m/s");
+  return {{"no_settlement", lift, 0., "m",
+           "an edge of the base lifts by up to " + with_unit(lift, "m") + down +
+               ": ground that is elastic keeps no settlement and no tilt of that, and stones do",
+           "give the mound a law that yields, [regions.mound] law, or take settlement and tilt from tests"}};
+}
+
 NumberedWarnings warnings_of_contact(const Evidence& e, const Summary& summary) {
   NumberedWarnings list = impact_warnings(e.solution);
+  append(list, warnings_of_lift(e, summary));
   append(list, warnings_of_ground(summary));
   return list;
 }

@@ -449,7 +449,17 @@ class Warnings(ProgramTest):
         self.expect(found, "would_lift", edge.min())
         self.assertLess(edge.min(), 0)
         tied = settings(regions__caisson__interface__kind='"friction"')
-        self.assertNotIn("would_lift", self.ask("run", *LEVEL, *WEIGHT, *settings(loads__impulse__factor=8), *tied)[0])
+        found, _ = self.ask("run", *LEVEL, *WEIGHT, *settings(loads__impulse__factor=8), *tied)
+        self.assertNotIn("would_lift", found)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            opening, time = file["interface/opening"][:], file["history/time"][:]
+        self.expect(found, "no_settlement", opening[:, [0, -1]].max())
+        solved = json.loads((self.folder / "out/summary.json").read_text())["contact"]["solved"]
+        self.assertEqual(solved["open_in_end"], 0)
+        self.assertGreater(solved["last_closing"], solved["first_open"])
+        self.assertLess(solved["last_closing"], time[-1])
+        self.assertGreater(solved["lift_energy"], 0)
+        self.assertGreater(solved["closing_speed"], 0)
 
     def test_shipped_cases_have_none(self):
         for case in ("fig2b-model", "fig2b-prototype", "one-soil/model", "one-soil/prototype"):

@@ -55,6 +55,11 @@ struct NodeContact {
   double opening_seaward = 0., opening_landward = 0.;
   double least_contact = 1., least_normal_force = 0.;
   std::optional<double> first_slip, first_open;
+  double lift_energy = 0.;             ///< largest that the weight gains by openings (J/m)
+  double closing_speed = 0.;           ///< largest at which an end closes (m/s)
+  std::optional<double> closing_time;  ///< of that (s); none: neither end opens and closes
+  std::optional<double> last_closing;  ///< since when all nodes touch (s); none: no node opened, or one is open
+  double open_in_end = 0.;             ///< share of the width
   std::optional<double> gap_force;     ///< largest that the sea in gaps adds (N/m); none: they take it from the pores
   double dissipated = 0.;
   int slip_steps = 0, open_steps = 0;   ///< steps in which a node slipped, was open

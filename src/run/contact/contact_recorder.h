@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -26,6 +27,7 @@ class ContactRecorder : public MarchObserver {
     append(history_.opening, state.x.segment(system_.first_opening(), n));
     append(history_.shear_force, forces.shear);
     append(history_.normal_force, forces.normal);
+    closing_.push_back({-state.v[system_.first_opening()], -state.v[state.v.size() - 1]});
     if (system_.interface->gap) see_gap(scheme_.contact()->gap);
   }
   ContactHistory history() const {
@@ -63,8 +65,7 @@ class ContactRecorder : public MarchObserver {
       out.least_contact = std::min(out.least_contact, contact);
       out.least_normal_force = std::min(out.least_normal_force, normal);
     }
-    if (!history_.gap_force.empty())
-      out.gap_force = *std::max_element(history_.gap_force.begin(), history_.gap_force.end());
+    look_at_lift(out);
     const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
     out.least_slip =
         *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -82,9 +83,36 @@ class ContactRecorder : public MarchObserver {
     history_.gap_force.push_back(sum);
     history_.gap_moment.push_back(moment);
   }
+  /// How high nodes lift, and how they come down. The speed of an end that closes is that of the time before.
+  void look_at_lift(NodeContact& out) const {
+    const Vector& at_rest = system_.interface->normal_force;
+    const Eigen::Map<const Eigen::ArrayXd> length(system_.interface->length.data(), at_rest.size());
+    const Eigen::Map<const Eigen::ArrayXXd> opening(history_.opening.data(), at_rest.size(),
+                                                    static_cast<Eigen::Index>(history_.time.size()));
+    for (Eigen::Index t = 1; t < opening.cols(); ++t) {
+      const double time = history_.time[static_cast<std::size_t>(t)];
+      out.lift_energy = std::max(out.lift_energy, at_rest.dot(opening.col(t).matrix()));
+      if ((opening.col(t) > 0.).any())
+        out.last_closing.reset();
+      else if ((opening.col(t - 1) > 0.).any())
+        out.last_closing = time;
+      for (std::size_t end = 0; end < 2; ++end) {
+        const Eigen::Index i = end == 0 ? 0 : at_rest.size() - 1;
+        const double speed = closing_[static_cast<std::size_t>(t) - 1][end];
+        if (!(opening(i, t - 1) > 0.) || opening(i, t) > 0. || !(speed > out.closing_speed)) continue;
+        out.closing_speed = speed;
+        out.closing_time = time;
+      }
+    }
+    out.open_in_end = (opening.rightCols(1) > 0.).select(length, 0.).sum() / length.sum();
+    if (!history_.gap_force.empty())
+      out.gap_force = *std::max_element(history_.gap_force.begin(), history_.gap_force.end());
+  }
+
   const System& system_;
   const Scheme& scheme_;
   ContactHistory history_;
+  std::vector<std::array<double, 2>> closing_;  ///< speed at which the ends come down (m/s)
 };
 
 /// What the nodes did; friction, weight and demand are those of the whole solution.
