@@ -286,6 +286,11 @@ void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Doc
     if (!uplift.ends) wrong.add("ends", "it is not said where the bottom ends", "add ends = [seaward, landward] (m)");
   }
   for (const auto& [name, load] : tables.load_tables)
+    if (load.wave && !load.wave->mound.empty() && load.factor != 0. && uplift.kind != UpliftKind::computed)
+      wrong.add("kind",
+                "the load '" + name + "' presses on the mound's pore water, so that a given uplift would count twice",
+                "write kind = \"computed\", or remove mound from [" + dotted("loads", name) + ".wave]");
+  for (const auto& [name, load] : tables.load_tables)
     if (load.boundary.empty() && load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
       wrong.add("kind", "the load '" + name + "' lifts the caisson, so that an uplift would count twice",
                 "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]");
@@ -381,7 +386,14 @@ void check_sliding(const CaseTables& tables, const Document& document, Diagnosti
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
     wrong.add("friction", "there is no region 'caisson' that could slide",
               "name the caisson's surface 'caisson', or remove [sliding]");
-  if (sliding.uplift_table) check_uplift(*sliding.uplift_table, tables, document, report);
+  if (sliding.uplift_table) return check_uplift(*sliding.uplift_table, tables, document, report);
+  for (const auto& [name, load] : tables.load_tables)
+    if (load.wave && !load.wave->mound.empty() && load.factor != 0.)
+      wrong.add("uplift",
+                "the load '" + name +
+                    "' lifts the caisson by the mound's pore water, which without a table uplift counts "
+                    "in no S of the caisson as a whole",
+                "add uplift = { kind = \"computed\" }");
 }
 
 }  // namespace upbead

@@ -56,6 +56,11 @@ TableSchema<WaveLoadTable> wave_load_schema() {
       .when("course", has_impact, "where course = \"church_roof\"");
   table.key("number", &WaveLoadTable::number, "",
             "of equal waves in a row, one a period: ground and slip remember those before", from_to(1, most_waves));
+  table
+      .key("mound", &WaveLoadTable::mound, "",
+           "curves of mound and bed, without a sea upon them, on which the wave presses in front of the wall as at its "
+           "foot, by cos(2 pi x/L): the mound's pore water then carries it under the base, for uplift of kind computed")
+      .fallback("none");
   table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
       .doc("The impulsive part of a church roof, as in a design: assumptions of ours")
       .when("course", has_impact, "where course = \"church_roof\"");
@@ -274,6 +279,10 @@ std::vector<std::string> assumptions_of(const WaveLoad& w) {
                                            : "uplift: U = p_u B/2 by Goda's formulas, with alpha_1 alone"};
   if (w.table.deep_water_height) list.push_back("H and H_1/3 by random breaking of the deep-water height");
   if (!w.table.deep_water_height && !w.table.significant_height) list.push_back("H_1/3 = H/1.8");
+  if (!w.table.mound.empty())
+    list.push_back("on " + join(w.table.mound) +
+                   ": the pressure at the wall's foot times cos(2 pi x/L) of the distance x from the wall, as of a "
+                   "standing wave, at once and the same at every depth");
   if (w.table.number > 1)
     list.push_back(std::to_string(w.table.number) + " equal waves in a row, one in " + significant(w.wave.period) +
                    " s; an uplift that is held stays at its peak from the first on, on the safe side");
@@ -433,6 +442,26 @@ void check_wave(const LoadCheck& check) {
                      "give at least " + number_text(least_lambda_1));
 }
 
+/// The course of the pressure at the wall's foot (Pa): that of P with p_3 of Goda's profile, or the standing wave's
+/// own.
+TimeFunction pressure_at_foot(const WaveLoad& w, const std::map<std::string, Load>& made) {
+  if (!w.standing) return scaled(w.history, w.load.factor * w.pressure.p3 / w.pressure.force);
+  const auto lowest = made.find(w.name + "." + w.standing->gauges.name.front());
+  return lowest == made.end() ? TimeFunction() : lowest->second.history;
+}
+
+/// Adds pressures on mound and bed; their courses along x are set once the mesh is known.
+void add_mound(const Load& load, WaveLoad& w) {
+  const TimeFunction at_foot = pressure_at_foot(w, w.made);
+  for (const std::string& curve : w.table.mound) {
+    Load& one = w.made[w.name + "." + curve] = load;
+    one.boundary = one.transducer = curve;
+    one.kind = LoadKind::pressure;
+    one.over_x = true;
+    one.history = at_foot;
+  }
+}
+
 /// A landward force; its shape over the wall is set once the mesh is known.
 std::shared_ptr<LoadSource> read_wave(const GivenLoad& given) {
   const Scene& scene = given.problem.scene;
@@ -459,11 +488,24 @@ std::shared_ptr<LoadSource> read_wave(const GivenLoad& given) {
   else
     source->made[given.name] = load;
   if (!source->acts()) return source;
+  add_mound(load, *source);
   source->action = action_of(source->title, "wave_cut", "its period", source->history);
   source->warnings = warnings_of(*source);
   return source;
 }
 }  // namespace
+
+std::vector<Pair> profile_on_mound(const WaveLoad& wave, double wall, double seaward) {
+  constexpr double per_length = 128.;  // straight between them: within (2 pi/128)^2/8 = 3e-4
+  const double reach = wall - seaward, number = two_pi / wave.wavelength;
+  const int n = 1 + static_cast<int>(std::max(reach, 0.) * per_length / wave.wavelength);
+  std::vector<Pair> profile;
+  for (int i = n; i >= 0; --i) {
+    const double x = reach * i / n;
+    profile.push_back({wall - x, std::cos(number * x)});
+  }
+  return profile;
+}
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
   std::vector<WaveLoadSummary> list;

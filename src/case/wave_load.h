@@ -33,8 +33,9 @@ enum class WaveCourse {
 struct WaveLoadTable : WaveGiven {
   WaveCourse course = WaveCourse::church_roof;
   ImpactForce force = ImpactForce::goda_with_alpha_I;
-  ImpactAssumptions impact;  ///< of a church roof
-  int number = 1;            ///< of equal waves in a row, each a period after the one before
+  ImpactAssumptions impact;        ///< of a church roof
+  int number = 1;                  ///< of equal waves in a row, each a period after the one before
+  std::vector<std::string> mound;  ///< curves in front of the wall, on whose pore water the wave presses, too
 };
 
 TableSchema<WaveLoadTable> wave_load_schema();
@@ -76,6 +77,10 @@ std::vector<const WaveLoad*> acting_waves(const Case& input);
 /// Goda's profile over the height y, p over p_1: linear between bottom, still water and the lower of crest and eta*
 /// above it. `bottom`: y of the wall's foot (m).
 std::vector<Pair> pressure_profile(const WaveLoad& wave, double bottom);
+
+/// The course along x of the pressure on mound and bed, over that at the wall's foot at `wall`: a standing wave's cos(2
+/// pi x/L) from there to `seaward` (m), and nothing landward of it.
+std::vector<Pair> profile_on_mound(const WaveLoad& wave, double wall, double seaward);
 
 /// The scene with the profiles of its waves on the walls of the mesh. Throws InputError, at keys of the case, where
 /// [section] contradicts the mesh or the scene's water.

@@ -97,6 +97,20 @@ void set_row(const std::string& name, const Gauges& row, Scene& scene) {
       load->second.shape = share(row, i);
 }
 
+/// Sets the pressures of a wave on mound and bed.
+void set_mound(const WaveLoad& wave, double wall, const Mesh& mesh, Scene& scene, Diagnostics& mistakes) {
+  for (const std::string& curve : wave.table.mound) {
+    const auto load = scene.loads.find(wave.name + "." + curve);
+    const Bounds extent = extent_of_curve(mesh, curve);
+    if (load == scene.loads.end() || extent.highest < extent.lowest) continue;
+    const auto side = scene.boundaries.find(curve);
+    if (side == scene.boundaries.end() || side->second.pressure != PressureCondition::open)
+      mistakes.add(at_key(wave.title + ".wave.mound"), "no water passes through '" + curve + "'",
+                   "write pressure = \"open\" in [boundaries." + curve + "], or leave it out");
+    load->second.shape = profile_on_mound(wave, wall, std::min(extent.left, wall));
+  }
+}
+
 }  // namespace
 
 Scene with_profiles(const Case& input, const Mesh& mesh) {
@@ -113,6 +127,7 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
       set_row(wave->name, row_on_wall(*wave->standing, wall.lowest + wave->section.foundation_depth), scene);
     else
       scene.loads.at(wave->name).shape = pressure_profile(*wave, wall.lowest);
+    set_mound(*wave, wall.left, mesh, scene, mistakes);
   }
   mistakes.throw_if_any();
   return scene;

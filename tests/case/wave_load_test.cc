@@ -12,42 +12,15 @@
 #include "expected/dynamic_law.h"
 #include "fem/compile.h"
 #include "good_case.h"
-#include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/case/case_run.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/wave_heights.h"
+#include "wave_case.h"
 
 namespace upbead::test {
 
 namespace {
-
-const std::string section_table = R"([section]
-water_depth = 15.0
-foundation_depth = 9.0
-berm_depth = 7.5
-crest = 7.0
-width = 18.0
-berm_width = 7.0
-bed_slope = 0.01
-weight = 5.933088e6
-submerged_weight = 4.296e6
-)";
-
-const std::string sliding_table = R"([sliding]
-[sliding.uplift]
-kind = "wave"
-shape = "held"
-)";
-
-std::string wave_case(const std::string& wave, const std::string& mesh = "cells = 0.4, grading = 4") {
-  const std::string load = "pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }";
-  return section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", mesh},
-                       {"[loads.impulse]", "[loads.storm]"},
-                       {"kind = \"force\"", "kind = \"wave\""},
-                       {load, "wave = " + wave},
-                       {"end = 0.6", "end = 0.5\nstep = 0.01\n" + sliding_table + section_table}});
-}
 
 const Section section_of_test{15., 9., 7.5, 7., 18., 7., 0.01, 5.933088e6, 4.296e6, {}, 0.6, false, {}, {}, {}};
 const Water water_of_test{1030., 9.81};
