@@ -43,6 +43,15 @@ class WallCheck {
                         wave_.load.boundary + "' is " + significant(wall_.highest - wall_.lowest, 6) +
                         " m high, from " + at_height(wall_.lowest) + " to " + significant(wall_.highest, 6) + " m",
                     "give the section that is meshed, or the mesh of the section");
+    if (const auto body = outline.surfaces.find(caisson_name); body != outline.surfaces.end() &&
+                                                               body->second.left <= wall_.left + tolerance_ &&
+                                                               body->second.highest > wall_.highest + tolerance_)
+      mistakes_.add(at_key(path_ + ".boundary"),
+                    "the caisson goes on above '" + wave_.load.boundary + "', up to " +
+                        at_height(body->second.highest) +
+                        " m: of a wall that is set back or slopes there Goda's formulas say nothing",
+                    "name the whole seaward wall where it is one upright plane; else give the pressures on all of its "
+                    "parts, by a source of your own: kind = \"pressures\" or \"pressure\"");
     if (scene.initial && scene.initial->water_level) check_level(*scene.initial->water_level, "initial.water_level");
     for (const auto& [name, region] : scene.regions)
       if (const auto sea = outline.surfaces.find(name); region.kind == RegionKind::water &&
