@@ -22,8 +22,10 @@ from judged_designs import design
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-from report import inputs, kinds, reference, source_case  # noqa: E402
+from report import inputs, judged, kinds, reference, sheet, source_case, verdict  # noqa: E402
+from report.language import speaking  # noqa: E402
 from upbead import live, told, typeset  # noqa: E402
+from upbead.errors import UserError  # noqa: E402
 from upbead.live.document import among  # noqa: E402
 from upbead.opening import open_result  # noqa: E402
 from upbead.results import read_case  # noqa: E402
@@ -214,6 +216,45 @@ class Judged(unittest.TestCase):
         self.assertEqual(ranks, sorted(ranks))
         failing = [check["margin"] for check in order if check["holds"] is False]
         self.assertEqual(failing, sorted(failing))
+
+    def test_a_study_tells_in_how_many_runs_a_check_fails(self):
+        check = {"name": "sliding distance", "failing": 4, "first_run": 1, "text": "sliding distance: 0.2 m against 0.1 m: DOES NOT HOLD"}
+        for language, words in (("en", "in some of 6 runs: sliding distance in 4."), ("ja", "6ケースの一部で満足しない照査：滑動量（4ケース）")):
+            with speaking(language):
+                self.assertIn(words, visible(str(judged.verdict({"runs": 6, "checks": [check]}))))
+
+    def test_what_fails_by_little_does_not_look_like_its_limit(self):
+        check = {"name": "sliding distance", "unit": "m", "demand": 0.0277384, "capacity": 0.0277383, "margin": 0.99999968, "holds": False}
+        with speaking("ja"):
+            row, sentence = (visible(str(text)) for text in (sheet.verdicts([check]), judged.in_words(check)))
+        for text in (row, sentence):
+            self.assertIn("27.7384", text)
+            self.assertIn("27.7383", text)
+        self.assertIn("0.9999997", row)
+
+    def test_ground_that_carries_the_caisson_is_told_first(self):
+        summary = {"nonlinear": {"start": "k0"}, "residual": {"displacement_x": -0.348, "displacement_y": -0.218, "rotation": 0.0087}}
+        for language, words in (("en", "carries it 348 mm seaward; it settles by 218 mm"), ("ja", "港外側へ348 mm運び、沈下量は218 mm")):
+            with speaking(language):
+                self.assertIn(words, visible(str(verdict.carried(summary))).replace("\u00a0", " "))
+        self.assertEqual(verdict.carried({"nonlinear": None, "residual": None}), "")
+
+    def test_a_caisson_that_slides_on_is_said_to(self):
+        folder, _ = self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8", "loads.impulse.factor=5")
+        summary = json.loads((folder / "summary.json").read_text())
+        self.assertIn("By this run the caisson slides about", visible(kinds.build(folder)))
+        summary["sliding"]["design"]["rests"] = False
+        (folder / "summary.json").write_text(json.dumps(summary))
+        text = visible(kinds.build(folder))
+        self.assertIn("does not come to rest", text)
+        self.assertIn("it slides on, without bound", text)
+        self.assertNotIn("By this run the caisson slides about", text)
+
+    def test_a_folder_without_document_says_whose_it_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "summary.json").write_text(json.dumps({"modes": [], "codes": []}))
+            with self.assertRaisesRegex(UserError, "results of 'upbead reliability'"):
+                kinds.build(Path(folder))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from .language import listed, named, phrase, say, sentences, spoken
 from .language import told as words_of
 from .markup import Markup, join, prose, tag
-from .units import plain, quantity
+from .units import digits_between, plain, quantity
 from .. import told
 from ..prefixes import pretty, scale
 
@@ -25,16 +25,17 @@ def in_words(check):
     """The check in the language of the document, where that is not the program's own."""
     if spoken() == "en" or check.get("capacity") is None:
         return ""
-    demand, capacity = (shown(check.get(key), check.get("unit") or "") for key in ("demand", "capacity"))
+    digits = digits_between(check.get("demand"), check["capacity"])
+    demand, capacity = (shown(check.get(key), check.get("unit") or "", digits) for key in ("demand", "capacity"))
     return phrase("{name}: {demand}, limit {capacity}: does not hold.", name=prose(words_of(check["name"])), demand=demand, capacity=capacity)
 
 
-def shown(value, unit):
+def shown(value, unit, digits=4):
     """A number for prose: its exact value stands in the table of the checks."""
     if value is None:
         return say("without bound")
     factor, name = scale(unit, value, 10.0)
-    return f"{plain(value * factor)} {pretty(name)}".strip()
+    return f"{plain(value * factor, digits)} {pretty(name)}".strip()
 
 
 def said(text):
@@ -68,6 +69,8 @@ def checked(summary):
     failed = [check for check in asked if told.fails(check)]
     if not asked:
         return say("No check has a limit.") if checks else ""
+    if failed and all("failing" in check for check in failed):
+        return tag("strong", in_runs(failed, summary), class_="fails")
     if failed:
         names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))
         words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
@@ -75,6 +78,13 @@ def checked(summary):
     if told.void(summary) or told.warnings(summary):
         return say("Of {asked} checks with a limit none fails; what is said against that stands here and below.", asked=len(asked))
     return say("Of {asked} checks with a limit all hold.", asked=len(asked))
+
+
+def in_runs(failed, summary):
+    """Checks of a study that fail, each with the number of its runs; those that hold in all are not in its summary."""
+    counts = [phrase("{name} in {count}", name=prose(words_of(check["name"])), count=check["failing"]) for check in failed]
+    return phrase("Checks beyond their limit in some of {runs} runs: {names}. Below is each in the first of its runs, which need not be the worst.",
+                  runs=summary["runs"], names=listed(counts))  # fmt: skip
 
 
 def doubt(summary):

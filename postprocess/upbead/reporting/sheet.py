@@ -2,7 +2,7 @@
 
 from .language import as_written, heads, named, phrase, say, told
 from .markup import Markup, join, prose, table, tag
-from .units import plain, quantity
+from .units import digits_between, plain, quantity
 from .. import told as told_of
 
 FORMULAS = [
@@ -32,11 +32,12 @@ def row(check):
     unit, margin = check.get("unit") or "", check.get("margin")
     stands_on = "; ".join(map(told, (check.get("assumption") or "").split("; ")))
     basis = join([tag("code", check["measure"]) if check.get("measure") else "", prose("; " + stands_on) if stands_on else ""])
-    capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit)
-    demand = quantity(check["demand"], unit) if check.get("demand") is not None else "" if check.get("why_not") or "failing" in check else say("without bound")
+    digits = digits_between(check.get("demand"), check.get("capacity"))
+    capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit, digits=digits)
+    demand = quantity(check["demand"], unit, digits=digits) if check.get("demand") is not None else "" if check.get("why_not") or "failing" in check else say("without bound")
     if check.get("probability") is not None:
         demand = join([demand, " (P ", plain(check["probability"], 3), ")"])
-    return name_of(check), demand, capacity, "" if margin is None else plain(margin, 3), result(check), basis
+    return name_of(check), demand, capacity, "" if margin is None else plain(margin, digits_between(margin, 1.0, 3)), result(check), basis
 
 
 def name_of(check):

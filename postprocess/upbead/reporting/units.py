@@ -25,6 +25,14 @@ def plain(value, digits=4):
     return text.replace("-", "−")
 
 
+def digits_between(value, limit, least=4):
+    """So many digits that a number and its limit do not look alike where they differ."""
+    digits = least
+    while digits < 12 and None not in (value, limit) and value != limit and f"{value:.{digits}g}" == f"{limit:.{digits}g}":
+        digits += 1
+    return digits
+
+
 def superscript(number):
     return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 

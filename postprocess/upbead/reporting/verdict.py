@@ -17,7 +17,7 @@ WITHOUT_REST = (
 def section(result):
     summary = result.summary
     numbers = [
-        tag("p", sentences([slides(result), shear(result)])),
+        tag("p", sentences([slides(result), carried(summary), shear(result)])),
         tag("p", rests_on(summary)),
         tag("div", *cards(result), class_="cards"),
     ]
@@ -63,7 +63,27 @@ def slides(result):
             )
         return say("By this run the caisson has not moved over its mound in the end.")
     way = say("landward") if measure.value > 0 else say("seaward")
+    if not rests(summary):
+        return phrase("By this run the caisson does not come to rest: it has slid {distance} {way} when the run ends, and slides on.",
+                      distance=rounded(measure.value, "m"), way=way)  # fmt: skip
     return phrase("By this run the caisson slides about {distance} {way}.", distance=rounded(measure.value, "m"), way=way)
+
+
+def rests(summary):
+    """Whether S has a bound; results of older versions do not say."""
+    return ((summary.get("sliding") or {}).get("design") or {}).get("rests", True)
+
+
+def carried(summary):
+    """How far ground that yields carries the caisson, which no S counts."""
+    moved = summary.get("residual") if summary.get("nonlinear") else None
+    if not moved or moved.get("displacement_x") is None:
+        return ""
+    way = say("landward") if moved["displacement_x"] >= 0 else say("seaward")
+    return phrase("Ground that yields carries it {distance} {way}; it settles by {down} and tilts by {angle}.",
+                  distance=rounded(moved["displacement_x"], "m"), way=way,
+                  down=quantity(-moved["displacement_y"], "m", digits=3),
+                  angle=quantity(moved["rotation"], "rad", digits=3))  # fmt: skip
 
 
 def shear(result):
@@ -146,4 +166,6 @@ def sliding_card(summary):
     below = Markup(prose(measure.short))
     if measure.value == 0 and ratio > 0:
         below = phrase("the sliding force is {ratio} of the resistance", ratio=percent(ratio))
+    if not rests(summary):
+        below = phrase("until the end of the run; it slides on, without bound")
     return card(name, quantity(measure.value, "m"), below)
