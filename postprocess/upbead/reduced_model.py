@@ -83,6 +83,8 @@ class ReducedModel(Shown):
 
     def __init__(self, path: str | PathLike[str]) -> None:
         self.path = Path(path)
+        if not self.path.exists():
+            raise ModelError(f"there is no file '{path}'; 'upbead reduce' makes a reduced model")
         try:
             with open_h5(path) as file:
                 self._read(file, path)

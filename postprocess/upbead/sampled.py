@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .errors import UserError
+
 FIRST = 2000  # intervals to begin with: a pulse of a hundredth of the run has 20 points
 TOLERANCE = 1e-4  # of the largest value: what the table may differ from the function in the middle of an interval
 HALVINGS = 12
@@ -65,7 +67,11 @@ def called(function: Callable[[Any], Any], times: NDArray[np.float64]) -> NDArra
             return values
     except (TypeError, ValueError):  # `if t < 0.1` and the like
         pass
-    return np.array([float(function(float(t))) for t in times], dtype=float)
+    one_by_one = [function(float(t)) for t in times]
+    try:
+        return np.array([float(value) for value in one_by_one], dtype=float)
+    except (TypeError, ValueError) as error:
+        raise UserError(f"a function gives '{one_by_one[0]!r}' at {float(times[0]):g}; let it give one number at each place") from error
 
 
 def refined(rows_at: Callable[[NDArray[np.float64]], NDArray[np.float64]], grid: NDArray[np.float64], tolerance: float = TOLERANCE,
