@@ -96,6 +96,12 @@ class Words(unittest.TestCase):
         ):
             self.assertIn(term, table[english])
 
+    def test_every_way_to_fail_has_japanese_words(self):
+        checks = (Path(__file__).parents[2] / "src/output/checks.cc").read_text(encoding="utf-8")
+        modes = re.findall('"([a-z ]+)"', checks[checks.index("mode_words[]"):checks.index("static_assert")])
+        self.assertGreater(len(modes), 10)
+        self.assertEqual([mode for mode in modes if mode not in language.table()], [])
+
     def test_phrases(self):
         self.assertEqual(phrase("peak $F_T$"), "peak <i>F</i><sub>T</sub>")
         self.assertEqual(say("{low} to {high}", low=1, high=2), "1 to 2")
