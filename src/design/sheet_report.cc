@@ -35,10 +35,16 @@ Compared compared(const Check& check) {
     c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
   }
   if (factor) {
-    c.factor = check.demand ? significant(*check.demand, 3) : "not found";
-    c.required = check.capacity ? significant(*check.capacity, 3) : "no limit";
+    int digits = 3;  // as many as show that both differ
+    const auto both_alike = [&] {
+      return check.demand && check.capacity && *check.demand != *check.capacity &&
+             significant(*check.demand, digits) == significant(*check.capacity, digits);
+    };
+    while (digits < 12 && both_alike()) ++digits;
+    c.factor = check.demand ? significant(*check.demand, digits) : "not found";
+    c.required = check.capacity ? significant(*check.capacity, digits) : "no limit";
   } else if (check.capacity) {
-    c.factor = check.margin ? significant(*check.margin, 3) : "";
+    c.factor = check.margin ? margin_text(*check.margin) : "";
     c.required = "1";
   }
   c.outcome = !check.holds ? "-" : *check.holds ? "holds" : "FAILS";

@@ -30,7 +30,11 @@ std::string mode_of(const Check& check);
 /// "heel pressure p_e, wave design at low".
 std::string name_of(const Check& check);
 
-/// "heel pressure p_e, wave design at low: 562 kPa against 600 kPa: holds, margin 1.07".
+/// A margin with three digits, or as many as tell it from 1.
+std::string margin_text(double margin);
+
+/// "heel pressure p_e, wave design at low: 562 kPa against 600 kPa: holds, margin 1.07". Demand and capacity that
+/// differ are written with as many digits as show it.
 std::string text_of(const Check& check);
 
 Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings);

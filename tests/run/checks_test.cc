@@ -1,6 +1,6 @@
 // Claims: checks by formulas and by dynamics stand side by side, the worse governs, and a contradiction is a warning; a
 // pressure in motion is not held against the limit that was made for p_e; what nothing pushes is not checked; the push
-// of still water at two levels counts.
+// of still water at two levels counts; a number beside its limit shows the difference.
 #include "findings/find.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +76,17 @@ TEST(Checks, TheWorseRouteGoverns) {
   EXPECT_EQ(verdict.governing->name, "sliding by formulas");
   EXPECT_EQ(verdict.failing, 1);
   EXPECT_TRUE(has(verdict.text, "wave storm: 0.952 against at least 1: DOES NOT HOLD"));
+}
+
+TEST(Checks, WhatFailsByLittleDoesNotLookLikeItsLimit) {
+  const auto text = [](double demand, double capacity, const std::string& unit) {
+    return text_of(at_most(check_of(FailureMode::sliding, "S", unit, demand, "", ""), capacity));
+  };
+  EXPECT_EQ(text(0.0277404, 0.0277403, "m"), "S: 27.7404 mm against 27.7403 mm: DOES NOT HOLD, margin 0.999996");
+  EXPECT_EQ(text(561010., 561020., "Pa"), "S: 561.01 kPa against 561.02 kPa: holds, margin 1.00002");
+  EXPECT_EQ(text(1.23442, 1.23441, ""), "S: 1.23442 against 1.23441: DOES NOT HOLD, margin 0.99999");
+  EXPECT_EQ(text(0.3, 0.3, "m"), "S: 0.3 m against 0.3 m: holds, margin 1");
+  EXPECT_EQ(text(0.25, 0.3, "m"), "S: 0.25 m against 0.3 m: holds, margin 1.2");
 }
 
 TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {

@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""What a designer signs: a verdict holds nothing that does not stand, and no warning accuses what is right.
+
+usage: verdict_test.py PROGRAM CASES_FOLDER
+"""
+
+import re
+
+from program import CASES, ProgramTest, main, upbead, with_keys
+
+WIDTH, WEIGHT, FRICTION = 18.0, 4.296e6, 0.6  # m, W' (N/m)
+SPRINGS = "regions.caisson.springs={{ horizontal = {}, vertical = {}, rotation = {} }}"
+LUMPED = """
+[mesh]
+geometry = "caisson"
+parameters = { caisson_width = 18, caisson_height = 16 }
+[regions.caisson]
+kind = "rigid"
+density = 2100.0
+springs = { horizontal = 2e8, vertical = 4e8, rotation = 3e10 }
+dashpots = { horizontal = 4e6, vertical = 8e6, rotation = 1e9 }
+[boundaries]
+front = {}
+back = {}
+top = {}
+bottom = {}
+[initial]
+water_level = 9.0
+[loads.push]
+boundary = "front"
+kind = "force"
+direction = [1.0, 0.0]
+pulse = { shape = "triangle", peak = 3e6, duration = 0.3 }
+[time]
+end = 2
+[sliding]
+friction = 0.6
+submerged_weight = 4.296e6
+[limits]
+sliding = 5.0
+"""
+STEP = 'loads.push.pulse={ shape = "step", peak = 3e6, rise = 0.05 }'
+COARSE = ("mesh.parameters.cells=0.3", "mesh.parameters.sea_front=1.5", "mesh.parameters.sea_back=1.5",
+          "mesh.parameters.seabed_front=60", "mesh.parameters.seabed_back=60")
+
+
+def check_of(summary, name):
+    return next(check for check in summary["checks"] if check["name"] == name)
+
+
+def names(summary):
+    return [warning["name"] for warning in summary["warnings"]]
+
+
+class OfALumpedModel(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "case.toml").write_text(LUMPED)
+
+    def told(self, *keys, command="run"):
+        return self.json_of(command, "case.toml", *keys)
+
+    def test_what_fails_by_little_does_not_look_like_its_limit(self):
+        S = self.told()["sliding"]["design"]["value"]
+        for factor in (1 - 1e-7, 1 - 1e-4, 1 + 1e-7):
+            text = check_of(self.told(f"limits.sliding={S * factor!r}"), "sliding distance")["text"]
+            demand, limit, margin = re.search(r": (\S+) mm against (\S+) mm: .*margin (\S+)", text).groups()
+            self.assertEqual(float(demand) > float(limit), factor < 1, text)
+            self.assertEqual(float(margin) < 1, factor < 1, text)
+
+
+
+if __name__ == "__main__":
+    main()
