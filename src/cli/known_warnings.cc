@@ -174,6 +174,8 @@ const KnownWarning known_warnings[] = {
     {"sides_unlike_ground", "upright sides that do not move as the ground beyond would, and 0", "run, explain",
      "warnings.md#supports"},
     {"significant_height", "H_1/3, and H (m)", "waves", "waves.md#warnings"},
+    {"slides_on", "S until the end of the run, and 0 (m): the loads at the end exceed the friction, so it has no bound",
+     "run", "warnings.md#slip-as-a-whole"},
     {"slip_circle", "least factor of safety of slip circles, and 1", "run, respond", "circles.md"},
     {"slip_line",
      "shear strain of a cell over that of the cells beside it, and 3: soil slides along a line as narrow as the cells",

@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "findings/effective_base.h"
 #include "findings/errors.h"
 #include "findings/topics.h"
 #include "output/limits.h"
+#include "response/shear_response.h"
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/coupled_sliding.h"
 #include "upbead/base/error.h"
@@ -39,6 +41,18 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
              : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
 }
 
+/// Whether a caisson that has slid comes to rest under the loads as they are at the end of the run: their force without
+/// motion, with the push of still water, is at most mu N'. Else S is only the distance until then, and has no bound.
+bool comes_to_rest(const Evidence& e, const SlidingSummary& sliding) {
+  const std::optional<EffectiveBase>& base = e.of(find_effective_base);
+  if (sliding.design.value == 0. || !base || is_shaken(e.scene)) return true;
+  const std::vector<double>& time = e.of(find_history).series.time;
+  if (time.empty()) return true;
+  const double normal = without_motion(e.simulation, *base, time).force.back();
+  const double force = force_on_caisson(*e.simulation.compiled())(time.back()) + base->push;
+  return normal > 0. && std::abs(force) <= sliding.friction * normal;
+}
+
 std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   std::optional<SlidingSummary> sliding = e.of(find_slid);
   if (!sliding) return sliding;
@@ -51,14 +65,27 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   sliding->why_no_estimate = errors.why_no_slip;
   if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
   sliding->design = design_sliding(*sliding, e.of(find_contact), e.of(find_residual));
+  sliding->design.rests = comes_to_rest(e, *sliding);
   if (const std::string& why = e.of(find_why_void); !why.empty())
     sliding->design.why = "void: " + why + "; " + sliding->design.why;
   return sliding;
 }
 
+/// Warning slides_on: S is only how far the caisson came until the run ended.
+NumberedWarnings warnings_of_endless(const SlidingSummary& sliding) {
+  return {{"slides_on", sliding.design.value, 0., "m",
+           "at the end of the run the loads exceed the friction, or lift the caisson: it slides on, and all S here are "
+           "only how far it came until then, " +
+               with_unit(sliding.design.value, "m") + " by " + sliding.design.measure,
+           "let the run end after its loads (time.end); where they stay, as an uplift that is held, the section does "
+           "not stand"}};
+}
+
 /// Warning no_coupled_slip: the coupled S would not be right.
 NumberedWarnings slip_warnings(const Evidence&, const Summary& summary) {
-  if (!summary.sliding || !summary.sliding->coupled_failed) return {};
+  if (!summary.sliding) return {};
+  if (!summary.sliding->design.rests) return warnings_of_endless(*summary.sliding);
+  if (!summary.sliding->coupled_failed) return {};
   const SlidingSummary& sliding = *summary.sliding;
   return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
            "the bonded caisson reaches its friction, but the distance that it slides as a rigid block on its ground "
@@ -110,10 +137,13 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
   Checks list;
   const SlidingSummary& sliding = *summary.sliding;
   const std::string uplift = about_uplift(scene);
-  list.push_back(held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m",
-                                  std::abs(sliding.design.value), sliding.design.measure,
-                                  (sliding.design.value < 0. ? "seaward; " : "") + uplift + "; " + sliding.design.why),
-                         scene.limits, &Limits::sliding));
+  const std::optional<double> distance =
+      sliding.design.rests ? std::optional(std::abs(sliding.design.value)) : std::nullopt;
+  list.push_back(
+      held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m", distance, sliding.design.measure,
+                       (sliding.design.value < 0. ? "seaward; " : "") + uplift + "; " + sliding.design.why +
+                           (distance ? "" : "; it still slides at the end of the run")),
+              scene.limits, &Limits::sliding));
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
@@ -167,7 +197,10 @@ OutputSchema<DesignSliding> design_outputs() {
       .key("measure", &D::measure, "",
            "key of this S: the measure that models most of the mechanics, among those that the scene allows")
       .key("why", &D::why, "", "why this one")
-      .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none");
+      .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none")
+      .key("rests", &D::rests, "",
+           "whether the loads at the end of the run let the caisson come to rest; false: `value` and all other S are "
+           "only how far it came until then, and have no bound");
 }
 
 OutputSchema<UpliftCourses> course_outputs() {

@@ -60,6 +60,31 @@ class OfALumpedModel(ProgramTest):
     def told(self, *keys, command="run"):
         return self.json_of(command, "case.toml", *keys)
 
+    def test_a_caisson_that_comes_to_rest_has_a_distance(self):
+        summary = self.told()
+        self.assertTrue(summary["sliding"]["design"]["rests"])
+        self.assertGreater(check_of(summary, "sliding distance")["demand"], 0)
+        self.assertNotIn("slides_on", names(summary))
+
+    def test_loads_that_stay_above_friction_slide_it_without_bound(self):
+        held = 'sliding.uplift={ kind = "prescribed", peak = %g, shape = "held", distribution = "uniform" }'
+        distances = []
+        for keys in ((STEP,), (STEP, "time.end=4"), (held % (1.02 * WEIGHT),)):
+            summary = self.told(*keys)
+            check = check_of(summary, "sliding distance")
+            self.assertFalse(summary["sliding"]["design"]["rests"])
+            self.assertEqual((check["demand"], check["holds"]), (None, False), check["text"])
+            self.assertIn("slides_on", names(summary))
+            self.assertNotIn("no_coupled_slip", names(summary))
+            distances.append(summary["sliding"]["design"]["value"])
+        self.assertGreater(distances[1], 2 * distances[0])
+
+    def test_loads_that_stay_below_friction_leave_a_distance(self):
+        step = STEP.replace("3e6", f"{0.9 * FRICTION * WEIGHT}")
+        summary = self.told(step)
+        self.assertNotEqual(summary["sliding"]["design"]["value"], 0)
+        self.assertTrue(summary["sliding"]["design"]["rests"])
+
     def test_what_fails_by_little_does_not_look_like_its_limit(self):
         S = self.told()["sliding"]["design"]["value"]
         for factor in (1 - 1e-7, 1 - 1e-4, 1 + 1e-7):

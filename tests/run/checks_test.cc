@@ -1,6 +1,6 @@
 // Claims: checks by formulas and by dynamics stand side by side, the worse governs, and a contradiction is a warning; a
 // pressure in motion is not held against the limit that was made for p_e; what nothing pushes is not checked; the push
-// of still water at two levels counts; a number beside its limit shows the difference.
+// of still water at two levels counts; a number beside its limit shows the difference; S without a bound does not hold.
 #include "findings/find.h"
 
 #include <gtest/gtest.h>
@@ -87,6 +87,16 @@ TEST(Checks, WhatFailsByLittleDoesNotLookLikeItsLimit) {
   EXPECT_EQ(text(1.23442, 1.23441, ""), "S: 1.23442 against 1.23441: DOES NOT HOLD, margin 0.99999");
   EXPECT_EQ(text(0.3, 0.3, "m"), "S: 0.3 m against 0.3 m: holds, margin 1");
   EXPECT_EQ(text(0.25, 0.3, "m"), "S: 0.25 m against 0.3 m: holds, margin 1.2");
+}
+
+TEST(Checks, ACaissonThatSlidesOnHasNoDistanceThatHolds) {
+  Summary s = summary();
+  s.sliding->design.value = 0.01;
+  EXPECT_EQ(named("sliding distance", judged(s)).holds, true);
+  s.sliding->design.rests = false;
+  const Check check = named("sliding distance", judged(s));
+  EXPECT_EQ(check.holds, false);
+  EXPECT_FALSE(check.demand);
 }
 
 TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {

@@ -132,6 +132,7 @@ struct DesignSliding {
   std::string measure;                   ///< the key of the summary that gives it
   std::string why;                       ///< this measure was chosen
   std::optional<double> error_estimate;  ///< m
+  bool rests = true;                     ///< whether the loads at the end of the run let the caisson come to rest
 };
 
 struct SlidingSummary {
