@@ -165,6 +165,8 @@ const KnownWarning known_warnings[] = {
     {"rest_open",
      "whether the ground carries the weights is not known: the factor by which its strength may fall, and 1", "run",
      "warnings.md#soil-that-yields"},
+    {"rocks_on_edge", "by how much the other edge lifts, and 0 (m), with friction node by node", "run",
+     "warnings.md#uplift-of-a-bonded-caisson"},
     {"routes_differ",
      "margin by formulas, and by dynamics, of which one holds and the other does not; in `expected` the distances (m)",
      "run, expected", "waves.md#a-wave-as-a-load-of-a-run"},

@@ -56,12 +56,34 @@ void set_lifting(const NodeContact& contact, BaseSummary& base) {
                                                                      : "landward";
 }
 
+/// A base that is followed node by node turns about its edge where a bonded one would pull: its reaction stays on the
+/// base, so that the margin by it is never below 1. The loads without motion tell at these times whether it overturns.
+void look_at_loads_on_edge(const EffectiveBase& base, const EffectiveBase& still, const std::vector<double>& time,
+                           BaseSummary& summary) {
+  EffectiveBase on_edge = still;
+  std::vector<double> when;
+  on_edge.force.clear(), on_edge.moment.clear(), on_edge.uplift.clear(), on_edge.uplift_moment.clear();
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
+    if (edges.landward && edges.seaward) continue;
+    when.push_back(time[i]);
+    on_edge.force.push_back(still.force[i]), on_edge.moment.push_back(still.moment[i]);
+    on_edge.uplift.push_back(still.uplift[i]), on_edge.uplift_moment.push_back(still.uplift_moment[i]);
+  }
+  const BaseExtremes loads = base_extremes(on_edge, when);
+  if (!loads.least_overturning_margin || *loads.least_overturning_margin >= above_all(summary.least_overturning_margin))
+    return;
+  summary.least_overturning_margin = loads.least_overturning_margin;
+  summary.least_overturning_margin_time = loads.least_overturning_margin_time;
+}
+
 std::optional<BaseSummary> find_base(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (!base) return std::nullopt;
   const Series& series = e.of(find_history).series;
   BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
-  const BaseExtremes at_rest = base_extremes(without_motion(e.simulation, *base, series.time), series.time);
+  const EffectiveBase still = without_motion(e.simulation, *base, series.time);
+  const BaseExtremes at_rest = base_extremes(still, series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
   s.static_toe_pressure = at_rest.peak_toe_pressure;
   const auto& contact = e.solution.contact;
@@ -69,7 +91,10 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
     look_at_nodes(*contact->history, s);
   else
     look_at_nodes(e.simulation, *base, series, s);
-  if (contact && contact->found.solved) set_lifting(*contact->found.solved, s);
+  if (contact && contact->found.solved) {
+    set_lifting(*contact->found.solved, s);
+    look_at_loads_on_edge(*base, still, series.time, s);
+  }
   return s;
 }
 
@@ -130,8 +155,25 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
            "widen the caisson, or spread its weight seaward"}};
 }
 
+/// Warning rocks_on_edge: a caisson that is followed node by node stands on one edge of its base alone.
+NumberedWarnings rocking_warnings(const Summary& summary) {
+  if (!summary.base || !is_solved_with_friction(summary)) return {};
+  const BaseSummary& base = *summary.base;
+  if (base.peak_heel_pressure && base.peak_toe_pressure) return {};
+  const NodeContact& contact = *summary.contact->solved;
+  const bool heel = !base.peak_heel_pressure;
+  const double opening = heel ? contact.opening_seaward : contact.opening_landward;
+  return {{"rocks_on_edge", opening, 0., "m",
+           std::string("at ") + significant(heel ? base.peak_heel_pressure_time : base.peak_toe_pressure_time) +
+               " s the caisson stands on its " + (heel ? "landward" : "seaward") +
+               " edge alone and turns about it; the other edge lifts by up to " + with_unit(opening, "m") +
+               ", and rotations are taken as small",
+           "look at the margin against overturning; widen the caisson, or make it heavier"}};
+}
+
 NumberedWarnings base_warnings(const Evidence& e, const Summary& summary) {
   NumberedWarnings list = lift_warnings(e);
+  append(list, rocking_warnings(summary));
   append(list, pressure_warnings(summary.base));
   return list;
 }
@@ -204,7 +246,8 @@ OutputSchema<BaseSummary> base_outputs() {
       .key("least_normal_force_time", &B::least_normal_force_time, "s", "when")
       .key("least_overturning_margin", &B::least_overturning_margin, "",
            "least of (moment of W' - U)/(moment of all that the wave does), about the heel or the toe: Goda's safety "
-           "factor against overturning where nothing moves; null where nothing overturns")
+           "factor against overturning where nothing moves, and with friction node by node while one edge bears all; "
+           "null where nothing overturns")
       .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
       .key("lifts_time", &B::lifts_time, "s",
            "when an edge first has no pressure: from then on a base that cannot pull parts from its mound there, and "

@@ -5,8 +5,15 @@
 
 namespace upbead {
 
+namespace {
+
+/// A resultant as near to an edge as round-off stands on it: the base node by node bears none beyond.
+constexpr double round_off = 1e-9;
+
+}  // namespace
+
 EdgePressures edge_pressures(double force, double moment, double width) {
-  if (!(force > 0. && std::abs(moment) < 0.5 * width * force)) {
+  if (!(force > 0. && std::abs(moment) < 0.5 * width * force * (1. - round_off))) {
     EdgePressures p{0., 0.};
     if (moment >= 0.) p.landward.reset();
     if (moment <= 0.) p.seaward.reset();

@@ -95,5 +95,27 @@ class OfALumpedModel(ProgramTest):
 
 
 
+class OfASection(ProgramTest):
+    def told(self, *keys, command="run", case="design-wave/composite.toml"):
+        return self.json_of(command, CASES / case, *COARSE, *keys)
+
+    def test_a_caisson_that_tips_node_by_node_does_not_hold(self):
+        push = 'loads.storm={ boundary = "front", kind = "force", pulse = { shape = "triangle", peak = 2.5e6, duration = 0.3 } }'
+        text = (CASES / "design-wave/composite.toml").read_text()
+        head, rest = text.split("\n[section]", 1)
+        rest = rest[rest.index("[regions.seabed]"):]
+        (self.folder / "tip.toml").write_text(head + rest)
+        summary = self.json_of(
+            "run", "tip.toml", *COARSE, push, "time.end=2", "regions.caisson.interface.kind='friction'",
+            "sliding={ friction = 0.6, submerged_weight = 4.296e6 }",
+            'sliding.uplift={ kind = "prescribed", peak = 5e6, shape = "held", distribution = "triangle" }',
+            "limits={ overturning = 1.0, dynamic_base_pressure = 1e9 }")
+        self.assertIsNone(summary["base"]["peak_heel_pressure"])
+        self.assertLess(summary["base"]["least_overturning_margin"], 1)
+        for name in ("heel pressure in motion", "margin against overturning"):
+            self.assertEqual(check_of(summary, name)["holds"], False, name)
+        self.assertIn("rocks_on_edge", names(summary))
+
+
 if __name__ == "__main__":
     main()
