@@ -93,7 +93,7 @@ void look_without_motion(const Evidence& e, const CircleGround& ground, SlipCirc
   const EffectiveBase base = without_motion(e.simulation, *e.of(find_effective_base), time);
   const std::vector<BaseMoment> moments = moments_to_look_at(base, static_shear(e, time), time);
   circles.static_design = least_of_moments(ground, moments, [](double) { return PressureAt(); }).least;
-  if (circles.static_design && circles.still)
+  if (circles.static_design && circles.still && circles.still->factor > 0.)
     circles.dynamic_load_factor = circles.static_design->factor / circles.still->factor;
 }
 
@@ -266,7 +266,7 @@ OutputSchema<SlipCircles> circles_outputs() {
               "dynamics looks at; null where no circle has a factor")
       .key("dynamic_load_factor", &C::dynamic_load_factor, "",
            "`static_design.factor` over `still.factor`: how much more of the same strength the loads need by their "
-           "motion (below 1: less); null where either is")
+           "motion (below 1: less); null where either is, and where soil bears nothing")
       .key("leaves_time", &C::leaves_time, "s",
            "when the resultant leaves the base, so that no effective width bears it; null where it stays")
       .reason("uncut", &C::uncut, "regions without a strength, which no circle cuts; null where there are none")

@@ -99,6 +99,11 @@ class OfASection(ProgramTest):
     def told(self, *keys, command="run", case="design-wave/composite.toml"):
         return self.json_of(command, CASES / case, *COARSE, *keys)
 
+    def test_soil_without_any_strength_fails_and_is_told(self):
+        summary = self.told("regions.seabed.strength={ friction_angle = 0 }", "limits.circles=1")
+        self.assertEqual(check_of(summary, "slip circles")["holds"], False)
+        self.assertIsNone(summary["circles"]["dynamic_load_factor"])
+
     def test_a_caisson_that_tips_node_by_node_does_not_hold(self):
         push = 'loads.storm={ boundary = "front", kind = "force", pulse = { shape = "triangle", peak = 2.5e6, duration = 0.3 } }'
         text = (CASES / "design-wave/composite.toml").read_text()
