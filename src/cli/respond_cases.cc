@@ -24,9 +24,11 @@ Case case_with_loads(const std::string& path) {
   return input;
 }
 
-ReducedModelFile model_of_case(const std::string& path, OutputFolder& folder) {
+ReducedModelFile model_of_case(const std::string& path, OutputFolder& folder, NumberedWarnings& told) {
   Case input = case_with_loads(path);
-  const ReducedModelFile model = reduced_case(input, {}, folder.name()).file;
+  const Simulation simulation = simulation_of(input, settle_end(input));
+  append(told, warnings(input, simulation));
+  const ReducedModelFile model = reduced_case(input, simulation, {}, folder.name()).file;
   folder.write("reduced.h5", model_file(model));
   return model;
 }
