@@ -12,6 +12,7 @@
 #include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
+#include "findings/effective_base.h"
 #include "findings/histories.h"
 #include "findings/topics.h"
 #include "output/section_outputs.h"
@@ -42,9 +43,41 @@ NumberedWarnings unit_warnings(const Case& input) {
   return list;
 }
 
+/// Warning load_zero where all loads of a case are switched off: checks that hold are then of the rest alone.
+NumberedWarnings warnings_of_no_load(const Case& input) {
+  if (input.sources.empty()) return {};
+  for (const auto& [name, source] : input.sources)
+    if (source->acts()) return {};
+  const std::string uplift = input.scene.sliding && input.scene.sliding->uplift && input.scene.sliding->uplift->peak
+                                 ? ", nor does the uplift, which follows P"
+                                 : "";
+  return {{"load_zero", 0., input.scene.time.end, "s",
+           "every load is switched off (factor = 0): nothing acts" + uplift +
+               ", and what is told of motion, S and pressures is of the section at rest",
+           "give a load a factor that is not 0"}};
+}
+
+/// Warning centroid_differs: W' of [section] acts on another line than the weight of the meshed caisson in water, so
+/// that overturning and edge pressures by formulas are those of another caisson than the run's.
+NumberedWarnings centroid_warnings(const Case& input, const Simulation& simulation) {
+  constexpr double same = 0.02;  // of B: footings and rounded corners
+  if (!simulation.compiled()->caisson || acting_waves(input).empty()) return {};
+  const Section& section = acting_waves(input).front()->section;
+  const double B = section.width, t = section.centroid.value_or(0.5 * B);
+  const std::optional<double> e = eccentricity_in_water(simulation);
+  if (!e || std::abs(0.5 * B - *e - t) <= same * B) return {};
+  return {{"centroid_differs", t, 0.5 * B - *e, "m",
+           "by [section] W' acts " + significant(t, 4) + " m from the landward heel" +
+               (section.centroid ? "" : ", as centroid is not given") + ", by the meshed caisson in still water " +
+               significant(0.5 * B - *e, 4) +
+               " m: overturning and edge pressures by formulas and by dynamics are of two caissons",
+           "give section.centroid = " + significant(0.5 * B - *e, 4) + ", or mend the caisson's centre of gravity"}};
+}
+
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
-  NumberedWarnings list;
+  NumberedWarnings list = warnings_of_no_load(input);
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
+  append(list, centroid_warnings(input, simulation));
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given().time.end));
   append(list, unit_warnings(input));

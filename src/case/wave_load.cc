@@ -329,7 +329,7 @@ WaveLoadSummary summary_of(const WaveLoad& w) {
   return s;
 }
 
-/// What formulas say of the section under the load, with its factor. A load that pulls seaward has no wave.
+/// What formulas say of the section under the load, with its factor.
 void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
   const double factor = w.load.factor;
   WavePressure p = w.pressure;
@@ -425,6 +425,11 @@ void check_wave_table(const LoadCheck& check) {
 void check_wave(const LoadCheck& check) {
   constexpr double least_lambda_1 = 1e-3;  // a wave whose lambda_1 is smaller has a P of nearly zero
   check.refuse({"pulse", "history", "shape", "region"}, "a load by a wave", "write kind = \"force\"");
+  if (check.load.factor < 0.)
+    check.wrong.add("factor",
+                    "factor = " + number_text(check.load.factor) +
+                        ": a wave pushes landward, with the uplift of that, and no formula knows one that pulls",
+                    "give a factor of at least 0; the pull of a trough is that of course = \"standing\"");
   if (check.load.wave)
     check_wave_table(check);
   else
@@ -512,7 +517,7 @@ std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
   const Water water{input.scene.fluid.density, input.scene.gravity};
   for (const WaveLoad* wave : acting_waves(input)) {
     list.push_back(summary_of(*wave));
-    if (wave->load.factor > 0.) add_formulas(*wave, water, list.back());
+    add_formulas(*wave, water, list.back());
   }
   return list;
 }

@@ -33,6 +33,8 @@ const KnownWarning known_warnings[] = {
      "waves.md#warnings"},
     {"cavitation", "least absolute pressure of the water, and that of its vapour (Pa)", "run",
      "warnings.md#cavitation"},
+    {"centroid_differs", "t of `[section]`, and that of the meshed caisson in still water (m)", "run, explain",
+     "warnings.md#units"},
     {"circles_differ",
      "factor of strength at the peak of the wave, and that of the least circle then, more than a tenth apart", "run",
      "peak-strength.md#how-it-fails"},

@@ -78,6 +78,13 @@ std::optional<double> weight_in_water(const Simulation& simulation) {
   return std::isfinite(level) ? std::optional(submerged_weight(simulation, level).force) : std::nullopt;
 }
 
+std::optional<double> eccentricity_in_water(const Simulation& simulation) {
+  const double level = water_level(simulation.scene(), *simulation.mesh());
+  if (!std::isfinite(level)) return std::nullopt;
+  const RestingForces rest = submerged_weight(simulation, level);
+  return rest.force > 0. ? std::optional(rest.moment / rest.force) : std::nullopt;
+}
+
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends,
                                             const std::optional<ContactSolution>& contact) {
   if (!simulation.compiled()->caisson) return std::nullopt;

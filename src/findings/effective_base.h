@@ -14,6 +14,9 @@ namespace upbead {
 /// gives no still water. Needs a caisson.
 std::optional<double> weight_in_water(const Simulation& simulation);
 
+/// How far landward of the bottom's middle the line of that weight is (m); none where it floats, too.
+std::optional<double> eccentricity_in_water(const Simulation& simulation);
+
 /// W' is that of [sliding], or the mass minus the water that the caisson displaces below still water. None without
 /// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time;
 /// `contact`: what nodes did that slip and open.

@@ -93,11 +93,29 @@ class OfALumpedModel(ProgramTest):
             self.assertEqual(float(demand) > float(limit), factor < 1, text)
             self.assertEqual(float(margin) < 1, factor < 1, text)
 
+    def test_a_run_whose_loads_are_all_switched_off_is_told(self):
+        self.assertIn("load_zero", names(self.told("loads.push.factor=0")))
+        self.assertNotIn("load_zero", names(self.told()))
+
 
 
 class OfASection(ProgramTest):
     def told(self, *keys, command="run", case="design-wave/composite.toml"):
         return self.json_of(command, CASES / case, *COARSE, *keys)
+
+    def test_a_wave_cannot_pull_by_a_factor(self):
+        done = upbead("explain", CASES / "design-wave/composite.toml", *with_keys(["loads.storm.factor=-1"]))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a wave pushes landward", done.stderr)
+
+    def test_a_centroid_that_is_not_the_mesh_s_is_told(self):
+        self.assertNotIn("centroid_differs", names(self.told(command="explain")))
+        for key in ("section.centroid=14", "regions.caisson.centre_of_gravity=[-3, 14]"):
+            self.assertIn("centroid_differs", names(self.told(key, command="explain")), key)
+        # W acts 3 m seaward, buoyancy in the middle: W' acts 3 W/W' seaward
+        t = 0.5 * WIDTH + 3 * 5.933088e6 / WEIGHT
+        both = ("regions.caisson.centre_of_gravity=[-3, 14]", f"section.centroid={t}")
+        self.assertNotIn("centroid_differs", names(self.told(*both, command="explain")))
 
     def test_a_reduced_model_has_the_warnings_of_its_scene(self):
         low = "mesh.parameters.water_depth_back=13"
