@@ -177,7 +177,7 @@ const KnownWarning known_warnings[] = {
      "warnings.md#triangles"},
     {"sides_unlike_ground", "upright sides that do not move as the ground beyond would, and 0", "run, explain",
      "warnings.md#supports"},
-    {"significant_height", "H_1/3, and H (m)", "waves", "waves.md#warnings"},
+    {"significant_height", "H_1/3, and H or a quarter of it (m)", "waves", "waves.md#warnings"},
     {"slides_on", "S until the end of the run, and 0 (m): the loads at the end exceed the friction, so it has no bound",
      "run", "warnings.md#slip-as-a-whole"},
     {"slip_circle", "least factor of safety of slip circles, and 1", "run, respond", "circles.md"},

@@ -90,9 +90,16 @@ NumberedWarnings implausible_numbers(const Design& design) {
   height.high = 3. * h;
   height.common_low = 0.01 * h;
   height.common_high = 1.5 * h;
-  for (const auto& [name, wave] : tables.waves)
+  Quantity force = quantities::load_on_weight;
+  for (double* bound : {&force.low, &force.high, &force.common_low, &force.common_high})
+    *bound *= tables.section.weight;
+  force.usual = "beside the caisson's weight";
+  for (const auto& [name, wave] : tables.waves) {
     if (wave.height && *wave.height <= quantities::wave_height.high)
       judge(dotted("waves", name) + ".height", wave.height, height, list);
+    judge(dotted("waves", name) + ".force", wave.force, force, list);
+    judge(dotted("waves", name) + ".uplift", wave.uplift, force, list);
+  }
   return list;
 }
 

@@ -255,17 +255,28 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
   judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }
 
-/// Springs under a caisson of the width B. Of strips on layers K_r/(K_x B^2) is 0.1 to 0.3 (Gazetas 1983).
-void judge_springs(const std::string& at, const BaseSupport& springs, double B, NumberedWarnings& list) {
-  judge(at + "horizontal", springs.horizontal, quantities::base_spring, list);
-  judge(at + "vertical", springs.vertical, quantities::base_spring, list);
-  const double usual = springs.horizontal * B * B;
+/// Springs under a caisson of the weight W and the width B, at any scale. W over a spring is how far the caisson sinks
+/// into it at rest: between a third of its width and less than on rock, 5e-6 of it. A rotation of less than W B/2 would
+/// not keep it upright. Of strips on layers K_r/(K_x B^2) is 0.1 to 0.3 (Gazetas 1983).
+void judge_springs(const std::string& at, const BaseSupport& springs, double W, double B, NumberedWarnings& list) {
+  const Quantity spring{"Pa",
+                        3. * W / B,
+                        2e5 * W / B,
+                        10. * W / B,
+                        3e4 * W / B,
+                        {{"kPa", 1e3}, {"MPa", 1e6}},
+                        "so stiff that the caisson sinks by 3e-5 to 0.1 of its width"};
+  const std::size_t before = list.size();
+  judge(at + "horizontal", springs.horizontal, spring, list);
+  const bool horizontal_fits = list.size() == before;
+  judge(at + "vertical", springs.vertical, spring, list);
+  const double usual = horizontal_fits ? springs.horizontal * B * B : 100. * W * B;
   judge(at + "rotation", springs.rotation,
         {"N",
-         0.005 * usual,
-         10. * usual,
-         0.05 * usual,
-         usual,
+         std::max(0.005 * usual, 0.5 * W * B),
+         (horizontal_fits ? 10. : 1e3) * usual,
+         std::max(0.05 * usual, W * B),
+         (horizontal_fits ? 1. : 300.) * usual,
          {{"kN", 1e3}, {"MN", 1e6}},
          "0.1 to 0.3 times horizontal B^2"},
         list);
@@ -292,7 +303,8 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
                           "than it is",
                       "give " + at + "biot of at least the porosity; 1 where grains are far stiffer than the soil"});
     if (region.springs && simulation.compiled()->caisson)
-      judge_springs(at + "springs.", *region.springs, simulation.compiled()->caisson->bottom_width, list);
+      judge_springs(at + "springs.", *region.springs, simulation.compiled()->caisson->body.mass * scene.gravity,
+                    simulation.compiled()->caisson->bottom_width, list);
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }

@@ -64,8 +64,6 @@ double inverse(double value) {
 // From mud (G_max 1e5 to 1e6) to steel (8e10). Sand and gravel under 10 to 500 kPa: Hardin and Richart (1963), Seed and
 // Idriss (1970), 1e7 to 3e8.
 const Quantity modulus{"Pa", 1e4, 1e12, 1e6, 3e11, pascals, "sand has 1e7 to 3e8"};
-// Of sway and heave per metre of breakwater: 2 to 4 times G of the ground (Gazetas 1983, strips on layers).
-const Quantity base_spring{"Pa", 1e4, 1e12, 1e5, 3e11, pascals, "2 to 4 times G of the ground"};
 // As a share of the weight of the soil above its base, rho' g H: G_max/sigma' of clays is 100 and more, of sands 500
 // and more (Hardin and Black 1968); secant moduli at failure are ten times sigma'.
 const Quantity soil_modulus{"Pa", 1e4, 1e12, 1e6, 3e9, pascals, "sand has 1e7 to 3e8"};

@@ -59,6 +59,12 @@ void judge_wave(const CheckedWave& s, NumberedWarnings& list) {
                     "H_1/3 = " + metres(s.wave.significant_height) + " is not below H = " + metres(H) +
                         ", which is to be the highest wave",
                     "check height and significant_height (H mostly is 1.8 H_1/3)"});
+  // by Rayleigh's distribution one wave in e^32 = 8e13 is higher than 4 H_1/3 (Longuet-Higgins 1952)
+  if (s.wave.significant_height < H / 4.)
+    list.push_back({"significant_height", s.wave.significant_height, H / 4., "m",
+                    "H_1/3 = " + metres(s.wave.significant_height) + " is less than a quarter of H = " + metres(H) +
+                        ": no sea has so high a wave, and P is found too near the wall",
+                    "check height and significant_height (H mostly is 1.8 H_1/3)"});
   if (s.wave.period > 30.)
     list.push_back({"long_period", s.wave.period, 30., "s",
                     "T = " + significant(s.wave.period, 4) + " s is longer than 30 s, where the tests end",

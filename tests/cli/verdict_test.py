@@ -97,6 +97,17 @@ class OfALumpedModel(ProgramTest):
         self.assertIn("load_zero", names(self.told("loads.push.factor=0")))
         self.assertNotIn("load_zero", names(self.told()))
 
+    def test_springs_in_kilonewtons_are_told_at_any_scale(self):
+        def accused(*keys):
+            return [warning["text"].split(" =")[0] for warning in self.told(*keys, command="explain")["warnings"]
+                    if warning["name"] == "implausible"]
+
+        springs = [f"regions.caisson.springs.{way}" for way in ("horizontal", "vertical", "rotation")]
+        self.assertEqual(accused(), [])
+        self.assertEqual(accused(SPRINGS.format(2e5, 4e5, 3e7)), springs)
+        self.assertEqual(accused(SPRINGS.format(2e5, 4e8, 3e10)), springs[:1])
+        self.assertEqual(accused(SPRINGS.format(2e8, 4e5, 3e10)), springs[1:2])
+        self.assertEqual(accused(SPRINGS.format(2e11, 4e11, 3e13)), springs)
 
 
 class OfASection(ProgramTest):
@@ -151,6 +162,33 @@ class OfASection(ProgramTest):
         for name in ("heel pressure in motion", "margin against overturning"):
             self.assertEqual(check_of(summary, name)["holds"], False, name)
         self.assertIn("rocks_on_edge", names(summary))
+
+
+class OfADesign(ProgramTest):
+    def told(self, *keys):
+        return self.json_of("waves", CASES / "designer/design.toml", *keys)
+
+    def accused(self, *keys):
+        return [warning["text"] for warning in self.told(*keys)["warnings"] if warning["name"] == "implausible"]
+
+    def test_a_force_in_kilonewtons_is_told(self):
+        wave = "waves.design={{ height = 8, period = 12, force = {}, uplift = {} }}"
+        self.assertEqual(self.accused(wave.format(2e6, 1e6)), [])
+        told = self.accused(wave.format(2e3, 1e3))
+        self.assertEqual(len(told), 2, told)
+        for text, key in zip(told, ("force", "uplift")):
+            self.assertIn(f"waves.design.{key} = ", text)
+            self.assertIn("kN/m", text)
+
+    def test_a_harbour_far_below_its_bed_is_told(self):
+        self.assertEqual(self.accused("section.harbour_level=-4"), [])
+        self.assertIn("section.harbour_level", self.accused("section.harbour_level=-400")[0])
+
+    def test_a_wave_that_no_sea_has_is_told(self):
+        few = [w["name"] for w in self.told("waves.design.significant_height=1.5")["warnings"]]
+        usual = [w["name"] for w in self.told("waves.design.significant_height=4")["warnings"]]
+        self.assertIn("significant_height", few)
+        self.assertNotIn("significant_height", usual)
 
 
 if __name__ == "__main__":
