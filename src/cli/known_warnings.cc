@@ -210,6 +210,8 @@ const KnownWarning known_warnings[] = {
     {"triangles_divided", "triangles of the mesh's file, and 0", "run, explain", "warnings.md#triangles"},
     {"variable_not_positive", "value of a random variable at 3e-5 of its probability, and 0", "reliability",
      "failure-chances.md#what-is-asked"},
+    {"varied_unfelt", "runs of a study: a varied key changes no number that is read, and no check", "study",
+     "study.md"},
     {"walls_too_near", "time at which the first echo of a far side is back, and the end of the run (s)", "run, explain",
      "warnings.md#far-sides"},
     {"water_shed",

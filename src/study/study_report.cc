@@ -108,6 +108,48 @@ std::vector<InRuns> in_runs(const Results& results, Findings Doubts::*which) {
   return list;
 }
 
+/// Whether no two runs have one value of that key, as of a draw.
+bool is_always_new(const Study& study, std::size_t key) {
+  std::set<std::string> values;
+  return std::all_of(study.runs.begin(), study.runs.end(),
+                     [&](const StudyRun& run) { return values.insert(run.varied[key].second).second; });
+}
+
+/// Whether runs that differ in nothing but one key, by which two of them differ, have the same numbers and checks.
+bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
+  std::map<std::vector<std::string>, std::size_t> first;  // run by its case and its other values
+  bool compared = false;
+  for (std::size_t k = 0; k < study.keys.size(); ++k)
+    if (k != key && is_always_new(study, k)) return false;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i] || !results[i]->done) continue;
+    std::vector<std::string> rest{std::to_string(study.runs[i].case_index)};
+    for (std::size_t k = 0; k < study.keys.size(); ++k)
+      if (k != key) rest.push_back(study.runs[i].varied[k].second);
+    const auto [other, is_new] = first.emplace(std::move(rest), i);
+    if (is_new || study.runs[other->second].varied[key].second == study.runs[i].varied[key].second) continue;
+    if (results[i]->values != results[other->second]->values ||
+        results[i]->doubts.failing != results[other->second]->doubts.failing)
+      return false;
+    compared = true;
+  }
+  return compared;
+}
+
+/// Warnings of the runs, and varied_unfelt: keys that change no number that is read, as those of a part that the case
+/// does not use.
+std::vector<InRuns> all_warnings(const Study& study, const Results& results) {
+  std::vector<InRuns> list = in_runs(results, &Doubts::warnings);
+  for (std::size_t k = 0; k < study.keys.size(); ++k)
+    if (is_unfelt(study, results, k))
+      list.push_back({"varied_unfelt",
+                      "'" + study.keys[k] +
+                          "' is varied, and no number that is read, nor any check, changes with it; look whether the "
+                          "case uses that key, and read a number that depends on it",
+                      n_results(results), 0});
+  return list;
+}
+
 Json to_json(const std::vector<InRuns>& found, const char* n) {
   Json list = Json::array();
   for (const InRuns& one : found)
@@ -299,7 +341,7 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
     json["missing"].push_back({{"part", of.part}, {"runs", of.runs}, {"works", of.holder}, {"command", of.command}});
   json["failed"] = failures(study, results);
   json["checks"] = to_json(in_runs(results, &Doubts::failing), "failing");
-  json["warnings"] = to_json(in_runs(results, &Doubts::warnings), "runs");
+  json["warnings"] = to_json(all_warnings(study, results), "runs");
   json["resumed"] = account.resumed ? Json(*account.resumed) : Json(nullptr);
   json["torn_lines"] = account.torn;
   json["lost_processes"] = account.lost;
@@ -340,7 +382,7 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
     text += "            and " + std::to_string(n_told - n_listed) + " more, see failed in summary.json\n";
   const auto n = static_cast<std::size_t>(n_results(results));
   text += in_words("check fails ", in_runs(results, &Doubts::failing), n);
-  text += in_words("warning     ", in_runs(results, &Doubts::warnings), n);
+  text += in_words("warning     ", all_warnings(study, results), n);
   return text + "time        " + significant(account.seconds) + " s on " + std::to_string(account.processes) +
          (account.processes == 1 ? " process" : " processes") + ", longest run " + significant(longest(results)) +
          " s\n";

@@ -73,6 +73,14 @@ class Study(StudyTest):
             self.assertIn(f"{found['name']}: in {found.get('failing') or found['runs']} of 3 runs", told)
             self.assertIn(found["text"], told)
 
+    def test_a_varied_key_that_changes_nothing_is_told(self):
+        (self.folder / "study.toml").write_text(
+            'case = "small.toml"\nread = ["response.peak_shear"]\n'
+            '[vary."fluid.viscosity"]\nvalues = [1e-3, 2e-3]\n[vary."regions.seabed.shear_modulus"]\nvalues = [2e7, 3e7]\n')
+        told = [w["text"] for w in json.loads(self.study("--json").stdout)["warnings"] if w["name"] == "varied_unfelt"]
+        self.assertEqual(len(told), 1, told)
+        self.assertIn("'fluid.viscosity' is varied", told[0])
+
     def test_sharing_and_processes_change_no_bit(self):
         (self.folder / "study.toml").write_text(STUDY.replace("n = 3", "n = 2"))
         self.study("--out", "two", jobs="2")
