@@ -194,6 +194,8 @@ const KnownWarning known_warnings[] = {
      "reliability", "warnings.md#reduced-models"},
     {"step_too_coarse", "the case's step, and the longest that is good enough (s)", "run, explain",
      "warnings.md#steps-and-cells"},
+    {"still_slides", "velocity of the slip when the run ends, and what friction brakes within 1 % of S (m/s)", "run",
+     "warnings.md#slip-as-a-whole"},
     {"strength", "largest mobilised strength of a region, and 1", "run", "warnings.md#strength"},
     {"stress_rings", "error of stresses, pressures and velocities at a probe, over those that the load makes, and 5 %",
      "run, explain", "warnings.md#waves-on-their-way-to-a-probe"},

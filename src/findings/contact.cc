@@ -61,6 +61,8 @@ OutputSchema<NodeContact> solved_outputs() {
            "largest uplift that the sea in gaps adds to a prescribed one; null where gaps take water from the pores "
            "alone")
       .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
+      .key("end_velocity", &C::end_velocity, "m/s",
+           "slip velocity in the last step of the node that slips least; 0 where one rests")
       .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
       .key("open_steps", &C::open_steps, "", "steps in which a node was open")
       .key("impacts", &C::impacts, "", "how often a node closed")

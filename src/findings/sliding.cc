@@ -23,22 +23,37 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
                              const std::optional<ResidualSummary>& residual) {
   if (contact && contact->solved)
     return {contact->solved->slip, "contact.solved.slip", "friction is followed node by node",
-            contact->solved->error_estimate};
+            contact->solved->error_estimate, contact->solved->end_velocity};
   if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
   if (s.coupled)
     return {s.coupled->slip.residual, "sliding.sliding_coupled",
             s.coupled->vectors > 0 ? "the caisson slides as a rigid block on the moving ground"
                                    : "the bonded caisson does not reach mu N'",
             s.coupled->error_estimate};
-  const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
+  const Sliding &plain = s.history.by_history, &moved = s.history.with_normal_force;
   const std::string why = std::string("the larger of two by F_T(t) of the bonded caisson") +
                           (residual ? ", its slip over the mound alone: how far the ground carried it stands beside it "
                                       "(residual.displacement_x)"
                                     : "") +
                           "; slip with its ground could not be computed: ";
-  return std::abs(plain) >= std::abs(moved)
-             ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
-             : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
+  return std::abs(plain.residual) >= std::abs(moved.residual)
+             ? DesignSliding{plain.residual, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate,
+                             plain.end_velocity}
+             : DesignSliding{
+                   moved.residual, "sliding.sliding_normal_force", why + s.why_not_coupled, {}, moved.end_velocity};
+}
+
+constexpr double tolerable_rest = 0.01;  // of S
+
+/// The velocity (m/s) from which full friction brakes the caisson within a tolerable part of S.
+double tolerable_velocity(double friction, double gravity, double S) {
+  return std::sqrt(2. * friction * gravity * tolerable_rest * std::abs(S));
+}
+
+std::string why_not_all(const DesignSliding& design, double tolerable) {
+  if (std::abs(design.end_velocity) <= tolerable) return "";
+  return "the caisson still slides when the run ends, at " + significant(design.end_velocity) +
+         " m/s: S is no more than its way till then";
 }
 
 /// Whether a caisson that has slid comes to rest under the loads as they are at the end of the run: their force without
@@ -64,8 +79,12 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   sliding->error_estimate = errors.slip;
   sliding->why_no_estimate = errors.why_no_slip;
   if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
-  sliding->design = design_sliding(*sliding, e.of(find_contact), e.of(find_residual));
+  DesignSliding design = design_sliding(*sliding, e.of(find_contact), e.of(find_residual));
+  sliding->design = design;
   sliding->design.rests = comes_to_rest(e, *sliding);
+  if (sliding->design.rests)
+    sliding->design.why_not_all =
+        why_not_all(design, tolerable_velocity(sliding->friction, e.scene.gravity, design.value));
   if (const std::string& why = e.of(find_why_void); !why.empty())
     sliding->design.why = "void: " + why + "; " + sliding->design.why;
   return sliding;
@@ -81,18 +100,30 @@ NumberedWarnings warnings_of_endless(const SlidingSummary& sliding) {
            "not stand"}};
 }
 
+/// Warning still_slides: the run ends before the caisson rests.
+NumberedWarnings warnings_of_end(const Evidence& e, const SlidingSummary& sliding) {
+  const DesignSliding& design = sliding.design;
+  if (design.why_not_all.empty()) return {};
+  return {{"still_slides", std::abs(design.end_velocity),
+           tolerable_velocity(sliding.friction, e.scene.gravity, design.value), "m/s",
+           design.why_not_all + ", and the distance is not judged where it is within its limit",
+           "let the run end later (time.end)"}};
+}
+
 /// Warning no_coupled_slip: the coupled S would not be right.
-NumberedWarnings slip_warnings(const Evidence&, const Summary& summary) {
+NumberedWarnings slip_warnings(const Evidence& e, const Summary& summary) {
   if (!summary.sliding) return {};
   if (!summary.sliding->design.rests) return warnings_of_endless(*summary.sliding);
-  if (!summary.sliding->coupled_failed) return {};
+  NumberedWarnings list = warnings_of_end(e, *summary.sliding);
+  if (!summary.sliding->coupled_failed) return list;
   const SlidingSummary& sliding = *summary.sliding;
-  return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
-           "the bonded caisson reaches its friction, but the distance that it slides as a rigid block on its ground "
-           "could not "
-           "be computed: " +
-               sliding.why_not_coupled,
-           "take S from sliding_history, or from contact node by node (kind = \"friction\")"}};
+  list.push_back(
+      {"no_coupled_slip", sliding.history.ratio, 1., "1",
+       "the bonded caisson reaches its friction, but the distance that it slides as a rigid block on its ground could "
+       "not be computed: " +
+           sliding.why_not_coupled,
+       "take S from sliding_history, or from contact node by node (kind = \"friction\")"});
+  return list;
 }
 
 /// The slips that did not need to be computed, and why.
@@ -132,18 +163,23 @@ Check seaward_check(const Scene& scene, const Summary& summary, const std::strin
                                 (summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
+/// Without bound where the caisson slides on. What it has slid when the run ends may be too much already, but never
+/// little enough while it still slides.
+Check distance_check(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
+  const std::optional<double> distance = design.rests ? std::optional(std::abs(design.value)) : std::nullopt;
+  const Check check = held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m", distance, design.measure,
+                                       (design.value < 0. ? "seaward; " : "") + uplift + "; " + design.why +
+                                           (distance ? "" : "; it still slides at the end of the run")),
+                              scene.limits, &Limits::sliding);
+  return design.why_not_all.empty() || (check.holds && !*check.holds) ? check : not_checked(check, design.why_not_all);
+}
+
 Checks sliding_checks(const Scene& scene, const Summary& summary) {
   if (!summary.sliding || !summary.response) return {};
   Checks list;
   const SlidingSummary& sliding = *summary.sliding;
   const std::string uplift = about_uplift(scene);
-  const std::optional<double> distance =
-      sliding.design.rests ? std::optional(std::abs(sliding.design.value)) : std::nullopt;
-  list.push_back(
-      held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m", distance, sliding.design.measure,
-                       (sliding.design.value < 0. ? "seaward; " : "") + uplift + "; " + sliding.design.why +
-                           (distance ? "" : "; it still slides at the end of the run")),
-              scene.limits, &Limits::sliding));
+  list.push_back(distance_check(scene, sliding.design, uplift));
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
@@ -198,9 +234,15 @@ OutputSchema<DesignSliding> design_outputs() {
            "key of this S: the measure that models most of the mechanics, among those that the scene allows")
       .key("why", &D::why, "", "why this one")
       .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none")
+      .key("end_velocity", &D::end_velocity, "m/s",
+           "of its slip when the run ends; 0 of `sliding_coupled`, which is followed until the caisson rests under the "
+           "loads of the end")
       .key("rests", &D::rests, "",
            "whether the loads at the end of the run let the caisson come to rest; false: `value` and all other S are "
-           "only how far it came until then, and have no bound");
+           "only how far it came until then, and have no bound")
+      .reason("why_not_all", &D::why_not_all,
+              "why the value is not the whole distance though it will rest: with all its friction it would slide on by "
+              "more than 1 %; else null");
 }
 
 OutputSchema<UpliftCourses> course_outputs() {

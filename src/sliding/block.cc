@@ -116,7 +116,7 @@ class Block {
     }
   }
 
-  double speed() const { return speed_; }
+  double velocity() const { return direction_ * speed_; }
   const Sliding& result() const { return sliding_; }
 
  private:
@@ -185,12 +185,15 @@ Sliding slide(double mass, const History& force, const History& resistance, doub
     block.pass(piece);
     end = piece.start + piece.length;
   }
-  if (block.speed() > 0.) {
+  const double end_velocity = block.velocity();
+  if (end_velocity != 0.) {
     const double left = resistance.value.back();
     if (left <= 0.) throw std::invalid_argument("no resistance is left to stop the block");
-    block.pass({end, 2. * mass * block.speed() / left, {0., 0.}, {left, left}});
+    block.pass({end, 2. * mass * std::abs(end_velocity) / left, {0., 0.}, {left, left}});
   }
-  return block.result();
+  Sliding result = block.result();
+  result.end_velocity = end_velocity;
+  return result;
 }
 
 Sliding slide(double mass, const History& force, double resistance, double drag) {

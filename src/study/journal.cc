@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "study/checks_in_runs.h"
 #include "study/results.h"
 #include "upbead/base/error.h"
 
@@ -24,7 +25,7 @@ RunResult result_of(const Json& json) {
   for (const Json& value : json.at("values"))
     result.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
   result.message = json.at("message");
-  result.doubts.failing = json.value("failing", result.doubts.failing);
+  result.doubts.checks = checks_from(json.value("checks", Json::array()));
   result.doubts.warnings = json.value("warnings", result.doubts.warnings);
   result.shared = static_cast<Shared>(json.at("shared").get<int>());
   result.why_own = json.value("why_own", std::string());
@@ -38,7 +39,7 @@ Json to_object(int run, const RunResult& result) {
   for (const std::optional<double>& value : result.values)
     json["values"].push_back(value ? Json(*value) : Json(nullptr));
   json["message"] = result.message;
-  json["failing"] = result.doubts.failing;
+  json["checks"] = to_json(result.doubts.checks);
   json["warnings"] = result.doubts.warnings;
   json["shared"] = static_cast<int>(result.shared);
   if (!result.why_own.empty()) json["why_own"] = result.why_own;

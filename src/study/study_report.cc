@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "output/result_file.h"
 #include "output/versions.h"
+#include "study/checks_in_runs.h"
 #include "study/results.h"
 #include "upbead/input/node.h"
 
@@ -79,9 +80,7 @@ std::map<std::string, int> reasons_of_own(const Results& results) {
   return reasons;
 }
 
-using Findings = std::vector<std::pair<std::string, std::string>>;
-
-/// A finding of several runs, as the first of them tells it.
+/// A warning of several runs, as the first of them tells it.
 struct InRuns {
   std::string name, text;
   int runs = 0;
@@ -89,12 +88,12 @@ struct InRuns {
 };
 
 /// Each name once, the most frequent first.
-std::vector<InRuns> in_runs(const Results& results, Findings Doubts::*which) {
+std::vector<InRuns> warnings_in_runs(const Results& results) {
   std::vector<InRuns> list;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i]) continue;
     std::set<std::string> of_run;
-    for (const auto& [name, text] : results[i]->doubts.*which) {
+    for (const auto& [name, text] : results[i]->doubts.warnings) {
       if (!of_run.insert(name).second) continue;
       const auto known =
           std::find_if(list.begin(), list.end(), [&](const InRuns& found) { return found.name == name; });
@@ -129,7 +128,7 @@ bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
     const auto [other, is_new] = first.emplace(std::move(rest), i);
     if (is_new || study.runs[other->second].varied[key].second == study.runs[i].varied[key].second) continue;
     if (results[i]->values != results[other->second]->values ||
-        results[i]->doubts.failing != results[other->second]->doubts.failing)
+        failing_names(results[i]->doubts.checks) != failing_names(results[other->second]->doubts.checks))
       return false;
     compared = true;
   }
@@ -139,7 +138,7 @@ bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
 /// Warnings of the runs, and varied_unfelt: keys that change no number that is read, as those of a part that the case
 /// does not use.
 std::vector<InRuns> all_warnings(const Study& study, const Results& results) {
-  std::vector<InRuns> list = in_runs(results, &Doubts::warnings);
+  std::vector<InRuns> list = warnings_in_runs(results);
   for (std::size_t k = 0; k < study.keys.size(); ++k)
     if (is_unfelt(study, results, k))
       list.push_back({"varied_unfelt",
@@ -150,25 +149,25 @@ std::vector<InRuns> all_warnings(const Study& study, const Results& results) {
   return list;
 }
 
-Json to_json(const std::vector<InRuns>& found, const char* n) {
+Json to_json(const std::vector<InRuns>& found) {
   Json list = Json::array();
   for (const InRuns& one : found)
-    list.push_back({{"name", one.name}, {n, one.runs}, {"first_run", one.first}, {"text", one.text}});
+    list.push_back({{"name", one.name}, {"runs", one.runs}, {"first_run", one.first}, {"text", one.text}});
   return list;
 }
 
 /// "name, name" of one run, each once.
-std::string names_of(const Findings& findings) {
+std::string names_of(const std::vector<std::pair<std::string, std::string>>& findings) {
   std::vector<std::string> names;
   for (const auto& [name, text] : findings)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return join(names, "; ");
 }
 
-std::string in_words(const std::string& head, const std::vector<InRuns>& found, std::size_t of) {
+std::string in_words(const std::vector<InRuns>& found, std::size_t of) {
   std::string text;
   for (const InRuns& one : found)
-    text += head + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) +
+    text += "warning     " + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) +
             " runs, first in run " + std::to_string(one.first) + ": " + one.text + "\n";
   return text;
 }
@@ -294,7 +293,7 @@ std::string study_csv(const Study& study, const Results& results) {
             (result.done  ? "done"
              : results[i] ? "failed"
                           : "missing") +
-            "," + csv_cell(result.message) + "," + csv_cell(names_of(result.doubts.failing)) + "," +
+            "," + csv_cell(result.message) + "," + csv_cell(failing_names(result.doubts.checks)) + "," +
             csv_cell(names_of(result.doubts.warnings));
     if (estimated) text += "," + (result.error_estimate ? number_text(*result.error_estimate) : std::string());
     text += "\n";
@@ -340,8 +339,8 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   for (const MissingRuns& of : account.missing)
     json["missing"].push_back({{"part", of.part}, {"runs", of.runs}, {"works", of.holder}, {"command", of.command}});
   json["failed"] = failures(study, results);
-  json["checks"] = to_json(in_runs(results, &Doubts::failing), "failing");
-  json["warnings"] = to_json(all_warnings(study, results), "runs");
+  json["checks"] = to_json(checks_in_runs(results));
+  json["warnings"] = to_json(all_warnings(study, results));
   json["resumed"] = account.resumed ? Json(*account.resumed) : Json(nullptr);
   json["torn_lines"] = account.torn;
   json["lost_processes"] = account.lost;
@@ -381,8 +380,8 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
   if (n_told > n_listed)
     text += "            and " + std::to_string(n_told - n_listed) + " more, see failed in summary.json\n";
   const auto n = static_cast<std::size_t>(n_results(results));
-  text += in_words("check fails ", in_runs(results, &Doubts::failing), n);
-  text += in_words("warning     ", all_warnings(study, results), n);
+  text += in_words(checks_in_runs(results), n);
+  text += in_words(all_warnings(study, results), n);
   return text + "time        " + significant(account.seconds) + " s on " + std::to_string(account.processes) +
          (account.processes == 1 ? " process" : " processes") + ", longest run " + significant(longest(results)) +
          " s\n";

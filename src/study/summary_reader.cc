@@ -63,9 +63,7 @@ std::vector<std::optional<double>> numbers_at(const Json& summary, const std::ve
 }
 
 Doubts doubts_of(const Summary& summary) {
-  Doubts doubts;
-  for (const Check& check : summary.checks)
-    if (check.holds && !*check.holds) doubts.failing.emplace_back(check.name, text_of(check));
+  Doubts doubts{summary.checks, {}};
   for (const NumberedWarning& warning : summary.warnings) doubts.warnings.emplace_back(warning.name, warning.text());
   return doubts;
 }

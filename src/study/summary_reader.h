@@ -20,9 +20,10 @@ const std::vector<std::string>& readable_paths();
 /// The numbers at the paths; none where a summary has null, or no such path.
 std::vector<std::optional<double>> numbers_at(const Json& summary, const std::vector<std::string>& paths);
 
-/// What a summary finds wrong: names of checks that fail, and of warnings, each with its text.
+/// What a summary doubts: its checks, and names of warnings, each with its text.
 struct Doubts {
-  std::vector<std::pair<std::string, std::string>> failing, warnings;
+  Checks checks;
+  std::vector<std::pair<std::string, std::string>> warnings;
 };
 Doubts doubts_of(const Summary& summary);
 

@@ -69,7 +69,15 @@ class Study(StudyTest):
         self.assertNotIn("force against friction", self.rows()[0]["checks_failing"].split("; "))
         self.assertTrue(summary["warnings"])
         told = self.study("--restart").stdout
-        for found in summary["checks"] + summary["warnings"]:
+        self.assertEqual({check["judged"] for check in summary["checks"]}, {3})
+        for check in summary["checks"]:
+            self.assertEqual(check["failing"] > 0, check["holds"] is False)
+        alone = json.loads(upbead("run", "small.toml", "--set", "loads.impulse.factor=1.5", "--json", cwd=self.folder).stdout)
+        self.assertEqual({key: friction[key] for key in ("demand", "capacity", "margin", "text")},
+                         {key: check[key] for check in alone["checks"] if check["name"] == friction["name"]
+                          for key in ("demand", "capacity", "margin", "text")}, "that of the worst run")
+        self.assertEqual(friction["worst_run"], 2)
+        for found in [check for check in summary["checks"] if check["failing"]] + summary["warnings"]:
             self.assertIn(f"{found['name']}: in {found.get('failing') or found['runs']} of 3 runs", told)
             self.assertIn(found["text"], told)
 

@@ -461,6 +461,24 @@ class Warnings(ProgramTest):
         self.assertGreater(solved["lift_energy"], 0)
         self.assertGreater(solved["closing_speed"], 0)
 
+    def test_still_slides(self):
+        """A run that ends while the caisson slides, though its load has fallen below the friction."""
+        pushed = [*LEVEL, *WEIGHT, *settings(loads__impulse__factor=8)]
+        for tied in ([], settings(regions__caisson__interface__kind='"friction"')):
+            for end, limit, held in ((0.145, 5.0, None), (0.145, 0.001, False), (0.6, 5.0, True)):
+                found, summary = self.ask("run", *pushed, *tied, *settings(time__end=end, limits__sliding=limit, time__scheme='"sdirk4"'))
+                design = summary["sliding"]["design"]
+                check = next(check for check in summary["checks"] if check["name"] == "sliding distance")
+                self.assertEqual(check["holds"], held)
+                if design["measure"] == "sliding.sliding_coupled":  # followed until the caisson rests
+                    self.assertNotIn("still_slides", found)
+                    continue
+                self.assertEqual("still_slides" in found, end < 0.5)
+                if end < 0.5:
+                    self.assertEqual(found["still_slides"]["value"], abs(design["end_velocity"]))
+                    facts["still_slides"] = found["still_slides"]["text"]
+        self.assertIn("still_slides", facts)
+
     def test_shipped_cases_have_none(self):
         for case in ("fig2b-model", "fig2b-prototype", "one-soil/model", "one-soil/prototype"):
             done = upbead("run", CASES / f"{case}.toml", "--out", self.folder / "out")

@@ -52,5 +52,13 @@ TEST(Limits, TheLimitSaysWhatMustNotFallBelowIt) {
   EXPECT_EQ(held_to(called("S", 1.1), limits, &Limits::sliding).holds, true);
 }
 
+TEST(Checks, DigitsTellDemandFromCapacityAndAMarginFromOne) {
+  const Check just = at_most(called("S", 0.02774), 0.027737);
+  EXPECT_EQ(text_of(just), "S: 27.74 mm against 27.737 mm: DOES NOT HOLD, margin 0.9999");
+  const Check factor = at_least_as(check_of(FailureMode::overturning, "F", "", 1.1969999, "", ""), 1.197);
+  EXPECT_EQ(text_of(factor), "F: 1.1969999 against at least 1.197: DOES NOT HOLD, margin 0.9999999");
+  EXPECT_EQ(text_of(at_most(called("S", 0.2), 0.2)), "S: 0.2 m against 0.2 m: holds, margin 1");
+}
+
 }  // namespace limits_test
 }  // namespace upbead

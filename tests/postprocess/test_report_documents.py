@@ -155,6 +155,9 @@ class Documents(unittest.TestCase):
             rows = list(csv.DictReader(file))
         wanted = {float(row[key]) for row in rows for key in ("regions.seabed.shear_modulus", "response.peak_shear", "response.shear_to_force_ratio")}
         self.assertLessEqual(wanted, self.exact("study"))
+        checks = [check for check in self.summary("study")["checks"] if check["demand"] is not None]
+        self.assertTrue(checks)
+        self.assertLessEqual({float(check[key]) for check in checks for key in ("demand", "capacity")}, self.exact("study"))
         self.assertIn('<section id="quality"', self.english["study"])
 
     def test_a_life_has_its_distances_and_what_makes_them_unsure(self):

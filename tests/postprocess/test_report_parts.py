@@ -119,6 +119,11 @@ class Units(unittest.TestCase):
         self.assertIn('value="634570.1"', units.quantity(634570.1, "N/m"))
         self.assertEqual(units.quantity(None), "none")
 
+    def test_a_limit_that_is_just_exceeded_looks_so(self):
+        check = {"name": "S", "unit": "m", "demand": 0.02774, "capacity": 0.027737, "margin": 0.99995, "holds": False}
+        _, demand, capacity, margin, *_ = sheet.row(check)
+        self.assertEqual([re.sub("<[^>]*>|\u00a0", "", text) for text in (demand, capacity, margin)], ["27.74mm", "27.737mm", "0.99995"])
+
 
 class Markup(unittest.TestCase):
     def test_text_is_escaped_and_markup_is_not(self):

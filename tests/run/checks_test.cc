@@ -157,6 +157,16 @@ TEST(Checks, SeawardIsNotCheckedWhereNothingPushesSeaward) {
   EXPECT_EQ(named(name, judged(s, shaken)).holds, true) << "a motion acts both ways";
 }
 
+TEST(Checks, AWayThatGoesOnFailsALimitThatItExceedsAndMeetsNone) {
+  Summary s = summary();
+  s.sliding->design.why_not_all = "it still slides";
+  s.sliding->design.value = 0.2;
+  EXPECT_EQ(named("sliding distance", judged(s)).why_not, "it still slides");
+  EXPECT_FALSE(named("sliding distance", judged(s)).holds);
+  s.sliding->design.value = -0.4;
+  EXPECT_EQ(named("sliding distance", judged(s)).holds, false);
+}
+
 TEST(Checks, ThePushOfAHarbourCountsAndAWarningMayVoidTheVerdict) {
   Summary s = summary();
   s.harbour = HarbourSummary{9., 4.5, 0.25e6, 0.3e6};

@@ -97,6 +97,12 @@ TEST(Block, SlidesSeveralTimesAndBothWays) {
   EXPECT_NEAR(found.path, 3. * once.residual, 1e-14);
 }
 
+TEST(Block, TellsTheVelocityWithWhichItsForcesLeaveIt) {
+  EXPECT_EQ(slide(2., {{0., 1., 4.}, {3., 3., 0.}}, 1.).end_velocity, 0.) << "it has come to rest";
+  EXPECT_NEAR(slide(2., {{0., 3.}, {3., 3.}}, 1.).end_velocity, 3., 1e-14);
+  EXPECT_NEAR(slide(2., {{0., 3.}, {-3., -3.}}, 1.).end_velocity, -3., 1e-14);
+}
+
 TEST(Block, TurnsWithoutRest) {
   // 2R, then -3R: the block is braked by 4R, reverses at once and slides back under 2R.
   const Sliding found = slide(1., {{0., 0., 1., 1., 3., 3.}, {0., 2., 2., -3., -3., 0.}}, 1.);

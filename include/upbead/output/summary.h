@@ -62,6 +62,7 @@ struct NodeContact {
   double open_in_end = 0.;             ///< share of the width
   std::optional<double> gap_force;     ///< largest that the sea in gaps adds (N/m); none: they take it from the pores
   double dissipated = 0.;
+  double end_velocity = 0.;             ///< in the last step, of the node that slips least then (m/s)
   int slip_steps = 0, open_steps = 0;   ///< steps in which a node slipped, was open
   int impacts = 0;                      ///< how often a node closed
   int fallbacks = 0;                    ///< contact problems that were solved by the slower method
@@ -132,7 +133,9 @@ struct DesignSliding {
   std::string measure;                   ///< the key of the summary that gives it
   std::string why;                       ///< this measure was chosen
   std::optional<double> error_estimate;  ///< m
+  double end_velocity = 0.;              ///< at the end of the run (m/s)
   bool rests = true;                     ///< whether the loads at the end of the run let the caisson come to rest
+  std::string why_not_all = {};          ///< why the value is not the whole distance though it rests; else ""
 };
 
 struct SlidingSummary {

@@ -20,6 +20,8 @@ struct Sliding {
   double largest = 0.;      ///< x of largest magnitude on the way (m)
   double path = 0.;         ///< sum of the absolute distances of all slips (m)
   std::vector<Slip> slips;  ///< in order; a change of direction without rest ends one and begins the next
+  /// x' when the forces end (m/s): where it is not 0 the block is braked by all of R from then on.
+  double end_velocity = 0.;
 
   void add(const Slip& slip);
 };

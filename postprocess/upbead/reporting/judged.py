@@ -81,9 +81,9 @@ def checked(summary):
 
 
 def in_runs(failed, summary):
-    """Checks of a study that fail, each with the number of its runs; those that hold in all are not in its summary."""
+    """Checks of a study that fail, each with the number of its runs."""
     counts = [phrase("{name} in {count}", name=prose(words_of(check["name"])), count=check["failing"]) for check in failed]
-    return phrase("Checks beyond their limit in some of {runs} runs: {names}. Below is each in the first of its runs, which need not be the worst.",
+    return phrase("Checks beyond their limit in some of {runs} runs: {names}. Below is each in the run in which it is worst.",
                   runs=summary["runs"], names=listed(counts))  # fmt: skip
 
 

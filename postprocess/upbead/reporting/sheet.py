@@ -34,7 +34,7 @@ def row(check):
     basis = join([tag("code", check["measure"]) if check.get("measure") else "", prose("; " + stands_on) if stands_on else ""])
     digits = digits_between(check.get("demand"), check.get("capacity"))
     capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit, digits=digits)
-    demand = quantity(check["demand"], unit, digits=digits) if check.get("demand") is not None else "" if check.get("why_not") or "failing" in check else say("without bound")
+    demand = quantity(check["demand"], unit, digits=digits) if check.get("demand") is not None else "" if check.get("why_not") else say("without bound")
     if check.get("probability") is not None:
         demand = join([demand, " (P ", plain(check["probability"], 3), ")"])
     return name_of(check), demand, capacity, "" if margin is None else plain(margin, digits_between(margin, 1.0, 3)), result(check), basis
@@ -49,10 +49,17 @@ def name_of(check):
 
 def result(check):
     if told_of.fails(check):
-        return tag("strong", say("does not hold"), class_="fails")
+        return tag("strong", say("does not hold"), *in_runs(check), class_="fails")
     if check.get("why_not"):
         return tag("span", say("not checked"), ": ", prose(told(check["why_not"])), class_="long")
     return say("holds") if told_of.is_judged(check) else say("no limit given")
+
+
+def in_runs(check):
+    """Of a study: in how many runs, and in which it is worst, whose numbers these are."""
+    if "failing" not in check:
+        return []
+    return [" ", phrase("in {failing} of {judged} runs, worst in run {run}", failing=check["failing"], judged=check["judged"], run=check["worst_run"])]
 
 
 def levels(case, outline):

@@ -69,6 +69,7 @@ class ContactRecorder : public MarchObserver {
     const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
     out.least_slip =
         *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    out.end_velocity = end_velocity(n);
     return out;
   }
 
@@ -107,6 +108,19 @@ class ContactRecorder : public MarchObserver {
     out.open_in_end = (opening.rightCols(1) > 0.).select(length, 0.).sum() / length.sum();
     if (!history_.gap_force.empty())
       out.gap_force = *std::max_element(history_.gap_force.begin(), history_.gap_force.end());
+  }
+  /// Zero where a node rests in the last step, and where not all nodes go the same way.
+  double end_velocity(std::size_t n) const {
+    const std::size_t steps = history_.time.size();
+    if (steps < 2) return 0.;
+    const double *now = &history_.slip[(steps - 1) * n], *before = now - n;
+    double least = now[0] - before[0];
+    for (std::size_t i = 1; i < n; ++i) {
+      const double moved = now[i] - before[i];
+      if (moved * least <= 0.) return 0.;
+      if (std::abs(moved) < std::abs(least)) least = moved;
+    }
+    return least / (history_.time[steps - 1] - history_.time[steps - 2]);
   }
 
   const System& system_;
