@@ -49,6 +49,17 @@ def _texts(dataset: Any) -> list[str]:
     return [text_of(text) for text in dataset[()]]
 
 
+def warnings_in(file: Any) -> list[dict[str, Any]]:
+    """Those of a model's file; files of before them have none."""
+    if "warnings" not in file:
+        return []
+    rows = zip(*(_texts(file[f"warnings/{key}"]) for key in ("name", "what", "cure")), file["warnings/number"][()])
+    return [
+        {"name": name, "cure": cure, "text": f"{what}; {cure}" if cure else what, "voids": bool(number[2])}
+        for name, what, cure, number in rows
+    ]
+
+
 class ReducedModel(Shown):
     """A sum of modes; docs/output.md has the layout of the file.
 
@@ -64,6 +75,8 @@ class ReducedModel(Shown):
     load : ndarray of complex, shape (M, K)
     reading : ndarray of complex, shape (I, M)
     feedthrough, impulse : ndarray, shape (I, K)
+    warnings : list of dict
+        Of its scene, as a run tells them: name, text, cure, and whether no verdict may be drawn (voids).
     """
 
     loads: list[str]
@@ -74,6 +87,7 @@ class ReducedModel(Shown):
     validity: dict[str, Any]
     caisson_mass: float
     title: str
+    warnings: list[dict[str, Any]]
     nested: list[ReducedModel] | None
     pole: NDArray[np.complex128]
     load: NDArray[np.complex128]
@@ -105,6 +119,7 @@ class ReducedModel(Shown):
         self.validity = dict(file["validity"].attrs)
         self.caisson_mass = file["case"].attrs["caisson_mass"]  # kg/m
         self.title = text_of(file.attrs.get("title", ""))
+        self.warnings = warnings_in(file)
 
         self.nested = None  # the larger models for error estimates; None for files of older versions
         if "nested" in file:

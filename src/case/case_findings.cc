@@ -81,6 +81,9 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given().time.end));
   append(list, unit_warnings(input));
+  if (const auto& section = input.tables->section;
+      section && !input.scene.sliding && !acting_waves(input).empty() && simulation.compiled()->caisson)
+    judge_weight("section.submerged_weight", section->submerged_weight, simulation, list);
   append(list, flow_arm_warnings(input, *simulation.mesh()));
   append(list, notes.warnings);
   return list;

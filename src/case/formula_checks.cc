@@ -119,7 +119,7 @@ NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits) {
     if (given) return;
     const Check* least = nullptr;
     for (const Check& check : checks)
-      if (check.balance && (check.mode == mode || check.mode == other_way) &&
+      if (check.at_least && check.holds && check.demand && (check.mode == mode || check.mode == other_way) &&
           (!least || *check.demand < *least->demand))
         least = &check;
     if (!least || *least->demand < 1. || *least->demand >= of_practice) return;

@@ -42,6 +42,8 @@ const std::vector<KeyQuantity>& key_quantities() {
       {"section.crest", &q::depth},
       {"section.width", &q::depth},
       {"section.centroid", &q::depth},
+      {"section.berm_width", &q::depth},
+      {"section.harbour_level", &q::level},
       {"section.bed_slope", &q::bed_slope},
       {"section.harbour_level", &q::level},
       {"section.friction", &q::friction},

@@ -50,7 +50,7 @@ const KnownWarning known_warnings[] = {
      "run, explain", "waves.md#a-wave-as-a-load-of-a-run"},
     {"eta_star_below_crest", "eta*, and h_c (m): p_4 = 0", "waves", "waves.md#warnings"},
     {"factor_below_practice", "the least safety factor by formulas, and 1.2, where `[limits]` asks for none",
-     "run, waves", "sheet.md#limits"},
+     "run, waves, expected", "sheet.md#limits"},
     {"fast_load", "duration of the loads, and the time in which sound crosses the caisson four times (s)",
      "run, explain", "warnings.md#the-rigid-caisson"},
     {"few_lives", "lives that slide, and 50", "expected", "expected.md#warnings"},
@@ -224,8 +224,8 @@ const KnownWarning known_warnings[] = {
     {"wave_outside_formulas", "how many limits of Goda's formulas a load by a wave is beyond, and 0", "run, explain",
      "waves.md#warnings"},
     {"waves_unbroken", "waves above Goda's highest breaker, and 1", "expected", "expected.md#warnings"},
-    {"would_lift", "least effective stress under an edge of the bottom, and 0 (Pa): a bonded base lifts there", "run",
-     "warnings.md#uplift-of-a-bonded-caisson"},
+    {"would_lift", "least effective stress under an edge of the bottom, and 0 (Pa): a bonded base lifts there",
+     "run, respond", "warnings.md#uplift-of-a-bonded-caisson"},
 };
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "cli/command.h"
 #include "cli/reduced_case.h"
 #include "cli/soils_of_case.h"
-#include "output/output_schema.h"
 #include "study/soil_box.h"
 #include "upbead/base/error.h"
 
@@ -60,7 +59,7 @@ std::string describe(const Nested& nested) {
          significant(nested.seconds, 2) + " s\n";
 }
 
-std::string to_json(const Reduced& made, const NumberedWarnings& told) {
+std::string to_json(const Reduced& made) {
   const ReducedModelFile& m = made.file;
   const Reduction& r = made.reduction;
   const Timing& t = made.timing;
@@ -77,8 +76,8 @@ std::string to_json(const Reduced& made, const NumberedWarnings& told) {
   json["nested"] = to_object(made.nested);
   json["slip"] = to_object(made.slip);
   if (made.circles.model) json["circles"] = to_object(made.circles);
-  for (const char* list : {"warnings", "skipped"}) json[list] = nlohmann::ordered_json::array();
-  for (const NumberedWarning& warning : told) json["warnings"].push_back(warning_outputs().to_json(warning));
+  json["warnings"] = warnings_json(made.warnings());
+  json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& part : made.skipped) json["skipped"].push_back({{"what", part.what}, {"why", part.why}});
   json["timing"] = {
       {"mesh", t.mesh}, {"compile", t.compile}, {"factorise", t.factorise}, {"reduce", t.march}, {"total", t.total}};
@@ -128,6 +127,7 @@ int reduce_soils(Case& input, const CaseOptions& options, const std::string& out
   check_interrupt();
   folder.commit();
   const std::string path = folder.name() + "/soils.h5";
+  std::cerr << describe(made.warnings);
   std::cout << (options.json ? to_json(made, path) : describe(made, path));
   return 0;
 }
@@ -142,16 +142,14 @@ int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   if (!options.soils.empty()) return reduce_soils(input, options, out);
   require_inputs_kept(out, {"reduced.h5"}, input_files(input));
   OutputFolder folder(out);
-  const Simulation simulation = simulation_of(input, settle_end(input));
-  const NumberedWarnings told = warnings(input, simulation);
-  std::cerr << describe(told);
-  Reduced made = reduced_case(input, simulation, {options.all_readings, options.check}, folder.name());
+  Reduced made = reduced_case(input, {options.all_readings, options.check}, folder.name());
   folder.write("reduced.h5", model_file(made.file));
   check_interrupt();
   folder.commit();
   made.timing.total = since_start.seconds();
   made.path = folder.name() + "/reduced.h5";
-  std::cout << (options.json ? to_json(made, told) : describe(made));
+  std::cerr << describe(made.warnings());
+  std::cout << (options.json ? to_json(made) : describe(made));
   return 0;
 }
 

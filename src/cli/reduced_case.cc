@@ -1,5 +1,7 @@
 #include "cli/reduced_case.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "fem/compile.h"
 #include "findings/circle_ground.h"
 #include "findings/effective_base.h"
+#include "findings/finding.h"
 #include "model/exclusions.h"
 #include "model/words.h"
 #include "response/shear_response.h"
@@ -168,7 +171,30 @@ CircleModelMade circles_of(const Simulation& simulation, const Reduction& reduct
   return made;
 }
 
+/// Whether a warning of a scene is of its own loads and concerns no other wave.
+bool is_of_loads(const NumberedWarning& warning) {
+  constexpr std::array names{"fast_load", "jump_with_alpha", "motion_stays", "step_too_coarse"};
+  return std::find(names.begin(), names.end(), warning.name) != names.end() || warning.what.rfind("loads.", 0) == 0;
+}
+
 }  // namespace
+
+NumberedWarnings Reduced::warnings() const {
+  NumberedWarnings all = file.warnings;
+  append(all, of_loads);
+  return all;
+}
+
+WarningsOfCase warnings_of_case(const Case& input, const Simulation& simulation) {
+  const NumberedWarnings of_scene = warnings(simulation);
+  WarningsOfCase told;
+  for (const NumberedWarning& warning : warnings(input, simulation)) {
+    const bool in_scene = std::any_of(of_scene.begin(), of_scene.end(),
+                                      [&](const NumberedWarning& other) { return other.what == warning.what; });
+    (in_scene && !is_of_loads(warning) ? told.scene : told.loads).push_back(warning);
+  }
+  return told;
+}
 
 Reduced reduced_case(Case& input, const CaseModelOptions& options, const std::string& folder) {
   const Simulation simulation = simulation_of(input, settle_end(input));
@@ -197,6 +223,9 @@ Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseMod
   made.file.slip = made.slip.model;
   made.file.nested = made.nested.models;
   made.file.circles = made.circles.model;
+  WarningsOfCase told = warnings_of_case(input, of_case);
+  made.file.warnings = std::move(told.scene);
+  made.of_loads = std::move(told.loads);
   if (options.against_march)
     made.file.error_march = error_against_march(made.reduction, simulation.scene(), *simulation.compiled());
   return made;

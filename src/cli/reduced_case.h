@@ -21,6 +21,12 @@ struct Nested {
   double seconds = 0.;
 };
 
+/// All that a run tells of a case without solving it: what concerns its scene in any wave, and its own loads alone.
+struct WarningsOfCase {
+  NumberedWarnings scene, loads;
+};
+WarningsOfCase warnings_of_case(const Case& input, const Simulation& simulation);
+
 /// All results of `reduce` for a case.
 struct Reduced {
   ReducedModelFile file;
@@ -29,6 +35,8 @@ struct Reduced {
   std::vector<Skipped> skipped;
   Nested nested;
   CircleModelMade circles;
+  NumberedWarnings of_loads;  ///< those of the scene are in the file
+  NumberedWarnings warnings() const;
   std::string path;
   Timing timing;
 };

@@ -24,11 +24,9 @@ Case case_with_loads(const std::string& path) {
   return input;
 }
 
-ReducedModelFile model_of_case(const std::string& path, OutputFolder& folder, NumberedWarnings& told) {
+ReducedModelFile model_of_case(const std::string& path, OutputFolder& folder) {
   Case input = case_with_loads(path);
-  const Simulation simulation = simulation_of(input, settle_end(input));
-  append(told, warnings(input, simulation));
-  const ReducedModelFile model = reduced_case(input, simulation, {}, folder.name()).file;
+  const ReducedModelFile model = reduced_case(input, {}, folder.name()).file;
   folder.write("reduced.h5", model_file(model));
   return model;
 }
@@ -76,7 +74,9 @@ WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
   if (std::all_of(rows.begin(), rows.end(), [](int row) { return row < 0; }))
     throw InputError(input.place("loads"), "the case has no load of the model: " + join(model.modes.load_name),
                      "name a load as in the case that was reduced");
-  return as_wave(input.stem, sampled_loads(simulation.scene(), system), rows);
+  WaveFile wave = as_wave(input.stem, sampled_loads(simulation.scene(), system), rows);
+  wave.notes.warnings = warnings_of_case(input, simulation).loads;
+  return wave;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace upbead {
 
 struct RespondCases {
-  /// Reduces a case, writes its reduced.h5 into the folder, and adds the warnings of its scene.
-  std::function<ReducedModelFile(const std::string& path, OutputFolder& folder, NumberedWarnings& told)> model;
+  /// Reduces a case, and writes its reduced.h5 into the folder.
+  std::function<ReducedModelFile(const std::string& path, OutputFolder& folder)> model;
   /// The loads of a case as one wave of a model, whose loads have the same names.
   std::function<WaveFile(const std::string& path, const ReducedModelFile& model)> wave;
 };

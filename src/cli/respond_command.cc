@@ -120,9 +120,8 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
     place.emplace(out);
   };
   if (makes_model) open_folder();
-  NumberedWarnings warnings;
   const ModelOfSoil loaded =
-      makes_model ? ModelOfSoil{cases.model(arguments.model, *place, warnings), {}, ""} : read_model(arguments);
+      makes_model ? ModelOfSoil{cases.model(arguments.model, *place), {}, ""} : read_model(arguments);
   const AnsweredModel answered{loaded.model, arguments.model, loaded.soil};
   const RespondOptions options{arguments.end, sliding_of(arguments, loaded.model), loaded.why_no_slip, {}};
   const std::vector<WaveFile> waves = waves_of(arguments, cases, loaded.model);
@@ -137,7 +136,7 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
   folder.write("responses.h5", response_file(answered, responses));
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
-  append(warnings, warnings_of_files(waves));
+  NumberedWarnings warnings = warnings_of_files(waves);
   append(warnings, force_warnings(loaded.model, waves, responses));
   append(warnings, warnings_of_answers(loaded.model, responses));
   const Json summary = to_json(answered, responses, timing, warnings);

@@ -38,6 +38,8 @@ std::string answers_text(const AnsweredModel& of, const Json& summary, const Res
                       {"which slips", "circle.slips"},
                       {"by pressure", "circle.by"}},
                      "", longest_table);
+  if (summary["why_void"].is_string())
+    text += "verdict     VOID, as the warnings say: " + summary["why_void"].get<std::string>() + "\n";
   text += "time        read " + significant(timing.read) + " s, respond " + significant(timing.respond) + " s";
   if (timing.respond > 0.)
     text += " (" + significant(static_cast<double>(waves.size()) / timing.respond) + " waves a second)";

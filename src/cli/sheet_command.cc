@@ -268,7 +268,7 @@ int work(const CaseOptions& options) {
   check_interrupt();
   const bool has_chances = input.asked.chances && !parts.back().summary.is_null();
   folder.commit({"results.h5", "reduced.h5", chances_folder + "/summary.json", chances_folder + "/case.toml"});
-  for (const Done& done : parts) std::cerr << describe(done.part.warnings);
+  std::cerr << describe(sheet.warnings);
   std::cout << (options.json ? text
                              : text_of(sheet) + "written     " + folder.name() + "/{summary.json, sheet.md, case.toml" +
                                    (input.asked.run ? ", results.h5" : "") +

@@ -141,7 +141,9 @@ SoilsOfCase soils_of_case(Case& input, const CaseOptions& options, const std::ve
   file.regions_text = soil_text(first.scene());
   check_own_soil(file, input);
   in_places_of(input, [&] { check_corners(first, soils, box); });
-  file.frame = reduced_case(input, first, {false, false, true}, folder).file;
+  Reduced frame = reduced_case(input, first, {false, false, true}, folder);
+  made.warnings = frame.warnings();
+  file.frame = std::move(frame.file);
   SoilModelOptions making;
   making.tolerance = share_of_tolerance * input.scene.tolerance;
   making.progress = shown_progress("one model for many soils");
@@ -182,6 +184,7 @@ std::string to_json(const SoilsOfCase& made, const std::string& path) {
   json["tolerance"] = file.frame.tolerance;
   json["unseen"] = {
       {"soils", made.unseen}, {"beyond_tolerance", made.over}, {"largest_estimate", made.largest_estimate}};
+  json["warnings"] = warnings_json(made.warnings);
   json["timing"] = {{"total", made.seconds}};
   return json.dump(2) + "\n";
 }

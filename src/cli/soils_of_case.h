@@ -17,6 +17,7 @@ struct SoilsOfCase {
   int over = 0;                  ///< of these: whose estimate exceeds the case's tolerance
   double largest_estimate = 0.;  ///< among these
   double seconds = 0.;
+  NumberedWarnings warnings;  ///< of the case's own soil
 };
 
 /// Makes the model for the soils of a box, with progress on the terminal. `folder`: from where the model's own copy of

@@ -90,16 +90,18 @@ NumberedWarnings implausible_numbers(const Design& design) {
   height.high = 3. * h;
   height.common_low = 0.01 * h;
   height.common_high = 1.5 * h;
-  Quantity force = quantities::load_on_weight;
-  for (double* bound : {&force.low, &force.high, &force.common_low, &force.common_high})
-    *bound *= tables.section.weight;
-  force.usual = "beside the caisson's weight";
+  const Quantity force = of(quantities::load_on_weight, tables.section.weight, "N/m", "beside the caisson's weight");
   for (const auto& [name, wave] : tables.waves) {
-    if (wave.height && *wave.height <= quantities::wave_height.high)
-      judge(dotted("waves", name) + ".height", wave.height, height, list);
-    judge(dotted("waves", name) + ".force", wave.force, force, list);
-    judge(dotted("waves", name) + ".uplift", wave.uplift, force, list);
+    const std::string at = dotted("waves", name);
+    if (wave.height && *wave.height <= quantities::wave_height.high) judge(at + ".height", wave.height, height, list);
+    judge(at + ".force", wave.force, force, list);
+    judge(at + ".uplift", wave.uplift, force, list);
   }
+  if (tables.ground)
+    judge("ground.mass", tables.ground->mass,
+          of(quantities::load_on_weight, tables.section.weight / tables.water.gravity, "kg/m",
+             "beside the caisson's mass", {{"t/m", 1e3}}),
+          list);
   return list;
 }
 

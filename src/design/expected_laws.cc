@@ -134,7 +134,8 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
   WaveModel model{
       file.title,
       file.modes.load_name[static_cast<std::size_t>(load)],
-      {file.modes, load, file.modes.index(reading::shear_force), forces(file.modes)[load], file.caisson_mass}};
+      {file.modes, load, file.modes.index(reading::shear_force), forces(file.modes)[load], file.caisson_mass},
+      file.warnings};
   const std::vector<const char*> base{reading::normal_force, reading::base_moment, reading::uplift,
                                       reading::uplift_moment};
   if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))
@@ -171,7 +172,7 @@ void Laws::read_model(const Design& design, const std::vector<SeaState>& record)
   const double rise = shortest_rise(breakwater_, impact_, record);
   double longest = 0.;
   for (const SeaState& state : record) longest = std::max(longest, 0.5 * state.period);
-  model_ = {model.title, model.load, table.step.value_or(rise / steps_of_a_rise), rise};
+  model_ = {model.title, model.load, table.step.value_or(rise / steps_of_a_rise), rise, model.warnings};
   circles_ = model.shear.circles;
   answer_ = std::make_shared<const ShearAnswer>(model.shear, model_->step, longer_by_scatter * longest);
 }

@@ -25,6 +25,7 @@ struct WaveModel {
   std::string title;
   std::string load;  ///< name of the load that stands for the wave
   ShearModel shear;
+  NumberedWarnings warnings;  ///< of its scene
 };
 
 /// Chooses the load of a reduced model. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson,

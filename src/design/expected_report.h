@@ -58,6 +58,7 @@ struct ModelUsed {
   std::string title, load;
   double step = 0.;           ///< of all responses (s)
   double shortest_rise = 0.;  ///< of the waves that might slide the caisson (s)
+  NumberedWarnings warnings;  ///< of the scene that it was made of
 };
 
 /// The worst value of each life, and their statistics.

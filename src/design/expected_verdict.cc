@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "case/formula_checks.h"
 #include "design/expected_laws.h"
 #include "design/expected_report.h"
 #include "output/limits.h"
@@ -301,6 +302,8 @@ Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
 NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer) {
   NumberedWarnings list = answer.notes.warnings;
   append(list, design.implausible);
+  if (answer.model) append(list, answer.model->warnings);
+  append(list, factor_warnings(checks_of(design, answer), design.tables.limits));
   const Limits& limits = design.tables.limits;
   if (design.tables.sea) {
     add_impossible_seas(answer.states, list);

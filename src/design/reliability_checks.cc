@@ -55,13 +55,16 @@ FoundNumber found_at(DesignTables& tables, const std::string& key) {
   return found;
 }
 
-/// The number that the design has where the variable acts; none: it cannot act there.
+}  // namespace
+
 std::optional<double> certain_value(const DesignTables& tables, const std::string& acts_on) {
   if (const RandomFactor* factor = find_factor(acts_on)) return factor->certain;
   DesignTables copy = tables;
   const double* number = number_at(copy, acts_on);
   return number ? std::optional(*number) : std::nullopt;
 }
+
+namespace {
 
 bool has_moments(RandomKind kind) {
   return kind != RandomKind::uniform && kind != RandomKind::triangular;

@@ -102,6 +102,8 @@ double* number_at(DesignTables& tables, const std::string& key);
 
 /// The unit of what a variable acts on; "" for none.
 std::string unit_at(const DesignTables& tables, const std::string& acts_on);
+/// The number that the design has where a variable acts; none: it cannot act there.
+std::optional<double> certain_value(const DesignTables& tables, const std::string& acts_on);
 
 /// Variables with their means and deviations, in the order of their names, and correlations among them.
 std::vector<RandomVariable> complete_variables(const DesignTables& tables);

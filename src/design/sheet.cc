@@ -40,6 +40,13 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   return list;
 }
 
+/// Two parts may have a scene in common.
+void append_new(NumberedWarnings& list, const NumberedWarnings& more) {
+  for (const NumberedWarning& warning : more)
+    if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) { return told.what == warning.what; }))
+      list.push_back(warning);
+}
+
 }  // namespace
 
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits) {
@@ -49,7 +56,7 @@ Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Lim
   Checks checks;
   for (const SheetPart& part : sheet.parts) {
     append(checks, part.checks);
-    append(sheet.warnings, part.warnings);
+    append_new(sheet.warnings, part.warnings);
   }
   const Checks unjudged = unjudged_limits(limits, checks, false);
   append(checks, unjudged);

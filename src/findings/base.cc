@@ -98,26 +98,6 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
   return s;
 }
 
-/// A rigid bottom on elastic ground has more stress at its edges than a linear distribution: it opens at 1.26 times
-/// the moment at which the linear stress of an edge becomes tension, docs/slip.md.
-constexpr double edge_factor = 1.26;
-
-/// The least stress of an edge.
-struct EdgeStress {
-  double stress = 0.;  ///< Pa, compression positive
-  double force = 0., moment = 0., time = 0.;
-};
-
-EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double>& time) {
-  EdgeStress least{1e300};
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double B = base.width, force = base.force[i], moment = base.moment[i];
-    const double stress = force / B - 6. * std::abs(moment) / (edge_factor * B * B);
-    if (stress < least.stress) least = {stress, force, moment, time[i]};
-  }
-  return least;
-}
-
 /// Warning would_lift: an edge of a bonded caisson is in tension, by its effective stress N'/B - 6 |M'|/(1.26 B^2).
 /// N' = W' + change of the normal force - U, M' = W' e + base moment + moment of U, where U is that of the modelled
 /// pore pressure and e is how far W' acts landward of the bottom's middle. W' is that of [sliding] minus a prescribed
@@ -128,13 +108,7 @@ NumberedWarnings lift_warnings(const Evidence& e) {
   if (e.solution.contact || !base) return {};
   const EdgeStress least = least_edge_stress(*base, e.of(find_history).series.time);
   if (least.stress >= 0.) return {};
-  const std::string which = least.force < 0.    ? "the whole base"
-                            : least.moment > 0. ? "the seaward edge"
-                                                : "the landward edge";
-  return {{"would_lift", least.stress, 0., "Pa",
-           which + " lifts at " + significant(least.time) + " s: bonded, as here, it bears a tension of " +
-               with_unit(-least.stress, "Pa") + ", which a real base does not (N' = " + with_unit(least.force, "N/m") +
-               ", moment " + with_unit(least.moment, "N m/m") + ")",
+  return {{"would_lift", least.stress, 0., "Pa", lifts_text(least),
            e.scene.regions.at(caisson_name).springs
                ? "believe the springs only up to then, or mesh the ground with [regions.caisson.interface] kind = "
                  "\"friction\""

@@ -39,11 +39,17 @@ RestingForces submerged_weight(const Simulation& simulation, double level) {
   return rest;
 }
 
+/// In air where the scene gives no still water.
+RestingForces weight_on_ground(const Simulation& simulation) {
+  const double level = water_level(simulation.scene(), *simulation.mesh());
+  return submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
+}
+
 std::optional<RestingForces> at_rest(const Simulation& simulation) {
   const double level = water_level(simulation.scene(), *simulation.mesh());
   const auto& sliding = simulation.scene().sliding;
   if (!std::isfinite(level) && !sliding) return std::nullopt;
-  RestingForces rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
+  RestingForces rest = weight_on_ground(simulation);
   if (sliding) {
     rest.moment *= sliding->submerged_weight / rest.force;
     rest.force = sliding->submerged_weight;

@@ -15,15 +15,6 @@ namespace upbead {
 
 namespace {
 
-/// The quantity of which this one is a share.
-Quantity of(Quantity share, double whole, const char* unit, const char* usual, std::vector<MeantUnit> meant = {}) {
-  for (double* bound : {&share.low, &share.high, &share.common_low, &share.common_high}) *bound *= whole;
-  if (!meant.empty()) share.meant = std::move(meant);
-  share.unit = unit;
-  share.usual = usual;
-  return share;
-}
-
 /// Numbers of a scene that only its mesh can judge, as it may be a model of any scale, in a centrifuge or not.
 class OnItsMesh {
  public:
@@ -166,25 +157,23 @@ class OnItsMesh {
   std::map<std::string, Extent> regions_;
 };
 
-void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
-  const auto& sliding = simulation.scene().sliding;
-  if (!sliding || !simulation.compiled()->caisson) return;
-  const double given = sliding->submerged_weight;
+}  // namespace
+
+void judge_weight(const std::string& key, double given, const Simulation& simulation, NumberedWarnings& list) {
   const double in_air = simulation.compiled()->caisson->body.mass * simulation.scene().gravity;
   const std::optional<double> in_water = weight_in_water(simulation);
   if (!in_water) {
     if (given < 0.99 * in_air)
       list.push_back({"no_water", given, in_air, "N/m",
-                      "sliding.submerged_weight = " + significant(given, 4) + " N/m is below the weight in air, " +
+                      key + " = " + significant(given, 4) + " N/m is below the weight in air, " +
                           significant(in_air, 4) + " N/m, but the scene has no still water",
                       "give regions of water, or [initial] water_level"});
     return;
   }
   constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast are less than a tenth of W'
   if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
-  const std::string text = "sliding.submerged_weight = " + significant(given, 4) +
-                           " N/m, but the caisson less the water " + "that it displaces weighs " +
-                           significant(*in_water, 4) + " N/m";
+  const std::string text = key + " = " + significant(given, 4) + " N/m, but the caisson less the water " +
+                           "that it displaces weighs " + significant(*in_water, 4) + " N/m";
   std::string cure;
   for (const MeantUnit& unit :
        {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}, MeantUnit{"t/m", 9.81e3}, MeantUnit{"kg/m", 9.81}})
@@ -193,8 +182,6 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
   if (cure.empty()) cure = "check submerged_weight, the mass of the caisson and the level of still water";
   list.push_back({"submerged_weight", given, *in_water, "N/m", text, cure});
 }
-
-}  // namespace
 
 namespace {
 
@@ -326,7 +313,8 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
   if (scene.initial)
     for (const auto& [name, surcharge] : scene.initial->surcharge)
       judge("initial.surcharge." + name + ".weight", surcharge.weight, quantities::surcharge, list);
-  judge_weight(simulation, list);
+  if (scene.sliding && simulation.compiled()->caisson)
+    judge_weight("sliding.submerged_weight", scene.sliding->submerged_weight, simulation, list);
   OnItsMesh(simulation, list).run();
   return list;
 }

@@ -11,6 +11,14 @@ std::string cure_of_unit(const MeantUnit& unit, double meant) {
   return "if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
 }
 
+Quantity of(Quantity share, double whole, const char* unit, const char* usual, std::vector<MeantUnit> meant) {
+  for (double* bound : {&share.low, &share.high, &share.common_low, &share.common_high}) *bound *= whole;
+  if (!meant.empty()) share.meant = std::move(meant);
+  share.unit = unit;
+  share.usual = usual;
+  return share;
+}
+
 std::optional<NumberedWarning> implausible(const std::string& key, double value, const Quantity& q) {
   if (value == 0. || !std::isfinite(value) || (value >= q.low && value <= q.high)) return std::nullopt;
   const double limit = value < q.low ? q.low : q.high;

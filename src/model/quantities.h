@@ -34,6 +34,9 @@ std::string cure_of_unit(const MeantUnit& unit, double meant);
 /// is zero or infinite is none of a unit.
 std::optional<NumberedWarning> implausible(const std::string& key, double value, const Quantity& quantity);
 
+/// The quantity of which this one is a share. `meant`: units in place of its own.
+Quantity of(Quantity share, double whole, const char* unit, const char* usual, std::vector<MeantUnit> meant = {});
+
 /// Whether a load is a power of ten: one of unit size, whose response is a ratio.
 bool is_unit_load(double value);
 

@@ -1,6 +1,7 @@
 #include "upbead/output/model_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 
 #include "base/text.h"
@@ -176,6 +177,45 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
   model.modes.load_name = names;
 }
 
+const char* const warnings_group = "/warnings";
+
+void write_warnings(Hdf5Image& image, const NumberedWarnings& warnings) {
+  std::vector<std::string> name, unit, what, cure;
+  Eigen::MatrixXd number(warnings.size(), 3);
+  const auto finite = [](double value) { return std::isfinite(value) ? value : 0.; };
+  for (const NumberedWarning& warning : warnings) {
+    const auto row = static_cast<Eigen::Index>(name.size());
+    number.row(row) << finite(warning.value), finite(warning.limit), warning.voids ? 1. : 0.;
+    name.push_back(warning.name);
+    unit.push_back(warning.unit);
+    what.push_back(warning.what);
+    cure.push_back(warning.cure);
+  }
+  image.group(warnings_group);
+  const std::string at = warnings_group + std::string("/");
+  image.texts(at + "name", name);
+  image.texts(at + "unit", unit);
+  image.texts(at + "what", what);
+  image.texts(at + "cure", cure);
+  write_matrix(image, at + "number", number,
+               {"", "by warning: the number that decided, the limit that it passes, 1 where no verdict may be drawn"});
+}
+
+NumberedWarnings read_warnings(ModelParts& parts) {
+  const std::string at = warnings_group + std::string("/");
+  const std::size_t n = parts.length(at + "number");
+  if (n == 0) return {};
+  const std::vector<std::string> name = parts.texts(at + "name", n), unit = parts.texts(at + "unit", n),
+                                 what = parts.texts(at + "what", n), cure = parts.texts(at + "cure", n);
+  const Eigen::MatrixXd number = parts.matrix(at + "number", n, 3);
+  NumberedWarnings list;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    list.push_back({name[i], number(row, 0), number(row, 1), unit[i], what[i], cure[i], number(row, 2) > 0.});
+  }
+  return list;
+}
+
 }  // namespace
 
 void detail::write_model(Hdf5Image& image, const ReducedModelFile& model) {
@@ -199,6 +239,7 @@ void detail::write_model(Hdf5Image& image, const ReducedModelFile& model) {
   if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
   if (model.circles) write_circles(image, *model.circles);
+  if (!model.warnings.empty()) write_warnings(image, model.warnings);
 }
 
 std::string model_file(const ReducedModelFile& model) {
@@ -227,6 +268,7 @@ ReducedModelFile detail::read_model(ModelParts& parts) {
   add_still_water(model);
   model.slip = read_slip(parts);
   model.circles = read_circles(parts, model.modes.load_name);
+  model.warnings = read_warnings(parts);
   return model;
 }
 

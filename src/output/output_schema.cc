@@ -78,6 +78,12 @@ OutputSchema<NumberedWarning> warning_outputs() {
       .key("text", &W::text, "", "what is wrong, and the cure");
 }
 
+Json warnings_json(const NumberedWarnings& warnings) {
+  Json list = Json::array();
+  for (const NumberedWarning& warning : warnings) list.push_back(warning_outputs().to_json(warning));
+  return list;
+}
+
 std::vector<OutputRow> OutputKeys::rows() const {
   std::vector<OutputRow> list;
   for (const Entry& entry : entries_) list.insert(list.end(), entry.rows.begin(), entry.rows.end());

@@ -216,5 +216,7 @@ class OutputSchema : public OutputKeys {
 
 /// The keys of a warning, the same in every summary.
 OutputSchema<NumberedWarning> warning_outputs();
+/// A list of such objects.
+Json warnings_json(const NumberedWarnings& warnings);
 
 }  // namespace upbead

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "hdf5_image.h"
+#include "output/checks.h"
 #include "output/output_schema.h"
 
 namespace upbead {
@@ -24,6 +25,7 @@ struct Answers {
   std::vector<NamedWave> waves;
   RespondTiming timing;
   NumberedWarnings warnings;
+  std::string why_void;
 };
 
 OutputSchema<CoupledWave> coupled_wave_outputs() {
@@ -132,6 +134,8 @@ const OutputSchema<Answers>& answers_outputs() {
                                  .list("waves[]", &A::waves, named_wave_outputs(), "each wave")
                                  .list("warnings[]", &A::warnings, warning_outputs(),
                                        "[what may be wrong](warnings.md#reduced-models) though nothing failed")
+                                 .reason("why_void", &A::why_void,
+                                         "the warnings under which no verdict may be drawn; null where there is none")
                                  .object("timing", &A::timing, timing, "wall times")
                                  .key("histories_per_second", per_second, "1/s", "waves over `timing.respond`")
                                  .versions();
@@ -235,14 +239,15 @@ std::string to_json(const WaveResponse& wave) {
 std::string soil_line(const AnsweredModel& of, const std::vector<WaveResponses>& files,
                       const NumberedWarnings& warnings) {
   static const OutputSchema<NamedWave> outputs = named_wave_outputs();
-  Json line{{"soil", of.soil}, {"error", of.model.error}, {"waves", Json::array()}, {"warnings", Json::array()}};
+  Json line{{"soil", of.soil}, {"error", of.model.error}, {"waves", Json::array()}};
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w) {
       Json wave = outputs.to_json({file.wave_name(w), &file.waves[w]});
       add_histories(file, w, wave);
       line["waves"].push_back(std::move(wave));
     }
-  for (const NumberedWarning& warning : warnings) line["warnings"].push_back(warning_outputs().to_json(warning));
+  line["warnings"] = warnings_json(warnings);
+  if (const std::string why = verdict_of({}, warnings).why_void; !why.empty()) line["why_void"] = why;
   return json_text(line, one_line);
 }
 
@@ -252,7 +257,7 @@ std::string soil_line(const std::optional<std::map<std::string, double>>& soil, 
 
 Json to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
              const NumberedWarnings& warnings) {
-  Answers answers{&of.model, of.path, of.soil, {}, timing, warnings};
+  Answers answers{&of.model, of.path, of.soil, {}, timing, warnings, verdict_of({}, warnings).why_void};
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w) answers.waves.push_back({file.wave_name(w), &file.waves[w]});
   return answers_outputs().to_json(answers);

@@ -11,6 +11,7 @@
 #include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
+#include "upbead/sliding/base_pressure.h"
 
 namespace upbead {
 
@@ -51,6 +52,7 @@ struct WaveResponse {
   std::optional<double> least_overturning_margin{};                 ///< none likewise
   /// mu N'/F_T while F_T acts that way; none where it never does, S was not asked for, or the base is not known.
   std::optional<double> least_sliding_factor{}, least_sliding_factor_seaward{};
+  std::optional<EdgeStress> tension{};   ///< of an edge that would lift, as the base of a model is bonded
   std::optional<CircleInWave> circle{};  ///< none where the model has no circles, or none has a factor
   std::optional<CoupledWave> coupled{};  ///< none where it was not asked for, or could not be computed
   std::string why_not_coupled{};         ///< why a result that was asked for could not be computed; else ""

@@ -5,6 +5,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "model/quantities.h"
 #include "reliability/answer.h"
 #include "reliability/fault_tree.h"
 #include "reliability/random_variables.h"
@@ -214,6 +215,24 @@ std::vector<SectionLimitState> states_of(const Work& work) {
   return states;
 }
 
+/// Warning implausible: a mean that is far from the number of the design was given in another unit.
+NumberedWarnings far_from_design(const DesignTables& tables) {
+  constexpr double far = 30., near = 3.;
+  NumberedWarnings list;
+  for (const auto& [name, variable] : tables.reliability->variables)
+    if (const double own = certain_value(tables, variable.acts_on).value_or(0.); variable.mean && own > 0.)
+      judge("reliability.variables." + name + ".mean", variable.mean,
+            {"1",
+             own / far,
+             own * far,
+             own / near,
+             own * near,
+             {{"thousands", 1e3}, {"millions", 1e6}, {"percent", 1e-2}},
+             "the design has another number"},
+            list);
+  return list;
+}
+
 ReliabilityAnswer answer_of(const Design& given) {
   const std::shared_ptr<ModelledGround> ground = ground_of(given);
   const Design design = on_ground(given, ground);
@@ -224,6 +243,7 @@ ReliabilityAnswer answer_of(const Design& given) {
   ReliabilityAnswer answer;
   answer.wave = random_wave(design.tables);
   answer.variables = not_positive(random_of(design.tables));
+  append(answer.variables, far_from_design(design.tables));
   Progress line("sampling");
   const double all = static_cast<double>(states.size() + gates.size());
   const auto add = [&](ModeAnswer mode) {
@@ -244,6 +264,7 @@ ReliabilityAnswer answer_of(const Design& given) {
   answer.left_out = left_out_of(table, states);
   if (!answer.left_out.empty()) answer.modes.back().meaning += words_of_left_out(answer) + ", which cannot be asked";
   append(answer.variables, unanswered(*work.model));
+  if (ground) append(answer.variables, ground->warnings());
   answer.codes = code_rows(given, answer);
   return answer;
 }

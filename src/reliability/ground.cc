@@ -105,9 +105,11 @@ ModelledGround::ModelledGround(const DesignTables& tables, const std::string& fi
   if (auto* one = std::get_if<ReducedModelFile>(&read)) {
     if (!soil_.empty()) throw InputError(place, "the model '" + file + "' has one soil", "remove 'soil'");
     kept_[{}] = held_of(*one);
+    warnings_ = one->warnings;
   } else {
     soils_.emplace(std::move(std::get<SoilModelFile>(read)), file);
     kept_[soil()] = held_of(of_soil(*soils_, soil_, place));
+    warnings_ = soils_->file().frame.warnings;
   }
   knows_base_ = !kept_.begin()->second.shear.base.empty();
 }

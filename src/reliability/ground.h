@@ -50,6 +50,8 @@ class ModelledGround {
   /// Of a key of the box.
   std::string unit(const std::string& key) const { return soils_->unit(key); }
   bool knows_base() const { return knows_base_; }
+  /// Of the scene of the model.
+  const NumberedWarnings& warnings() const { return warnings_; }
 
   /// Throws NumericsError where a soil cannot be answered.
   GroundPoint at(const GroundWave& asked);
@@ -75,6 +77,7 @@ class ModelledGround {
   Soil soil_;
   std::optional<SoilAnswers> soils_;
   bool knows_base_ = false;
+  NumberedWarnings warnings_;
   std::map<Soil, Held> kept_;
 };
 

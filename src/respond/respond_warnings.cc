@@ -83,6 +83,20 @@ NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
            "displacement and not yet a collapse"}};
 }
 
+/// Warning would_lift: an edge of the base, which a reduced model has bonded, is in tension.
+NumberedWarnings lift_warnings_of(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto stress = [](const AnsweredWave& row) { return row.wave->tension ? row.wave->tension->stress : 0.; };
+  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return stress(row) < 0.; });
+  if (n == 0) return {};
+  const AnsweredWave& worst = *std::min_element(
+      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return stress(a) < stress(b); });
+  return {{"would_lift", stress(worst), 0., "Pa",
+           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " + worst.name + ", " +
+               lifts_text(*worst.wave->tension),
+           "solve such a wave by 'upbead run' with [regions.caisson.interface] kind = \"friction\""}};
+}
+
 /// Whether every load is a power of ten in its largest wave, or zero throughout.
 bool are_unit_loads(const std::vector<WaveFile>& files) {
   for (const WaveFile& file : files)
@@ -130,17 +144,15 @@ NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector
   const double weight = model.base ? model.base->weight : model.caisson_mass * g;
   NumberedWarnings list;
   if (!(weight > 0.) || are_unit_loads(files)) return list;
-  Quantity quantity = quantities::load_on_weight;
-  for (double* bound : {&quantity.low, &quantity.high, &quantity.common_low, &quantity.common_high}) *bound *= weight;
-  quantity.usual = "beside the caisson's weight";
-  judge("the largest force of the waves", largest, quantity, list);
+  judge("the largest force of the waves", largest,
+        of(quantities::load_on_weight, weight, "N/m", "beside the caisson's weight"), list);
   return list;
 }
 
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
-  NumberedWarnings list;
-  for (const NumberedWarnings& more :
-       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), circle_warnings_of(files)})
+  NumberedWarnings list = model.warnings;
+  for (const NumberedWarnings& more : {band_warnings(model, files), error_warnings(model, files), slip_warnings(files),
+                                       lift_warnings_of(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

@@ -269,6 +269,7 @@ class FileWork {
     const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed);
     const Eigen::RowVectorXd F = shear.array() + base.push;
     if (circles_) out.circle = circles_->answer(loads, grid_, batch, base, F);
+    if (const EdgeStress least = least_edge_stress(base, grid_.time); least.stress < 0.) out.tension = least;
     if (!options_.sliding) return;
     const BaseExtremes worst = base_extremes(base, grid_.time);
     out.peak_heel_pressure = worst.peak_heel_pressure;

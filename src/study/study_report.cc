@@ -114,10 +114,20 @@ bool is_always_new(const Study& study, std::size_t key) {
                      [&](const StudyRun& run) { return values.insert(run.varied[key].second).second; });
 }
 
+/// Whether every number that is read is there in some run and not 0: one that never is may have its reason.
+bool all_tell(const Study& study, const Results& results) {
+  for (std::size_t read = 0; read < study.reads.size(); ++read)
+    if (std::none_of(results.begin(), results.end(),
+                     [&](const auto& r) { return r && r->done && r->values[read].value_or(0.) != 0.; }))
+      return false;
+  return true;
+}
+
 /// Whether runs that differ in nothing but one key, by which two of them differ, have the same numbers and checks.
 bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
   std::map<std::vector<std::string>, std::size_t> first;  // run by its case and its other values
   bool compared = false;
+  if (!all_tell(study, results)) return false;
   for (std::size_t k = 0; k < study.keys.size(); ++k)
     if (k != key && is_always_new(study, k)) return false;
   for (std::size_t i = 0; i < results.size(); ++i) {

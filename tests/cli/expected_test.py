@@ -48,6 +48,16 @@ class Expected(ProgramTest):
         done = upbead("waves", HD12, "--json", cwd=self.folder)
         self.assertAlmostEqual(json.loads(done.stdout)["waves"]["highest"]["sliding_paper"], 0.72, delta=1e-4)
 
+    def test_a_margin_of_equilibrium_alone_is_told(self):
+        for weight, told in ((4.8e6, True), (5.4e6, False)):
+            own = ["--set", f"section.submerged_weight={weight}", "--set", f"section.weight={weight + 3.5e6}"]
+            for limit, by_practice in (([], False), (["--set", "limits.overturning=1.05"], True)):
+                found = self.expected(HD10, *own, *limit)
+                margin = next(check for check in found["checks"] if check["name"] == "overturning, highest wave")
+                self.assertTrue(margin["holds"])
+                below = [w["value"] for w in found["warnings"] if w["name"] == "factor_below_practice"]
+                self.assertEqual(below, [margin["demand"]] if told and not by_practice else [], (weight, limit))
+
     def test_low_seas_bring_nothing(self):
         states = self.expected(HD10)["expected"]["states"]
         self.assertLess(states[1]["distance"]["exact"], 1e-40)

@@ -23,6 +23,28 @@ COARSE = ["--set", "mesh.parameters.cells=0.5"]
 DRY = ["--set", "mesh.parameters.sea_front=0", "--set", "mesh.parameters.sea_back=0"]
 
 
+LIFE = """
+[storms]
+distribution = "weibull"
+location = 2.0
+scale = 1.5
+shape = 1.2
+steepness = 0.035
+[life]
+years = 5
+simulated_lives = 5
+[dynamics]
+model = "model/reduced.h5"
+[limits]
+sliding = 0.3
+"""
+
+
+def sorted_as(warnings, others):
+    """The same warnings in the order of the others."""
+    return sorted(warnings, key=others.index)
+
+
 class Reduced(ProgramTest):
     def summary(self, command, *arguments, case=CASE):
         done = upbead(command, case, *COARSE, *arguments, "--json", cwd=self.folder)
@@ -78,6 +100,52 @@ class Reduced(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("has not converged after", done.stderr)
         self.assertEqual(self.left_behind(), [])
+
+    def told(self, *arguments):
+        done = upbead(*arguments, "--json", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 3), done.stderr)
+        return json.loads(done.stdout)
+
+    def test_what_a_run_warns_of_its_model_and_its_waves_tell_too(self):
+        """A harbour two metres lower, which [initial] does not give, pushes the caisson: all numbers are void."""
+        text = (CASES / "design-wave/composite.toml").read_text()
+        text = text.replace("water_depth = 15\n", "water_depth = 15\nwater_depth_back = 13\n").replace("cells = 0.4", "cells = 0.6")
+        (self.folder / "harbour.toml").write_text(text)
+        told = self.told("explain", "harbour.toml")["warnings"]
+        self.assertIn("harbour_level", [warning["name"] for warning in told])
+
+        reduced = upbead("reduce", "harbour.toml", "--json", "--out", "model", cwd=self.folder)
+        self.assertEqual(json.loads(reduced.stdout)["warnings"], sorted_as(told, json.loads(reduced.stdout)["warnings"]))
+        for warning in told:
+            self.assertIn(f"warning: {warning['name']}: ", reduced.stderr)
+        own = self.told("respond", "harbour.toml", "--out", "own")
+        self.assertEqual([w for w in told if w not in own["warnings"]], [])
+        (self.folder / "wave.csv").write_text("time,P\n0,0\n0.5,1e6\n1,0\n")
+        other = self.told("respond", "model/reduced.h5", "wave.csv", "--out", "other")
+        names = {warning["name"] for warning in other["warnings"]}
+        self.assertIn("harbour_level", names)
+        self.assertNotIn("effective_force", names, "it is of the case's wave alone")
+        for found in (own, other):
+            self.assertEqual(found["why_void"], "harbour_level")
+        plain = self.respond("model/reduced.h5", "wave.csv", "--out", "plain")
+        self.assertIn("\nverdict     VOID, as the warnings say: harbour_level\n", plain.stdout)
+
+        design = text[text.index("[section]"):text.index("[loads.storm]")] + LIFE
+        (self.folder / "life.toml").write_text(design)
+        life = self.told("expected", "life.toml", "--out", "life")
+        self.assertEqual(life["verdict"]["why_void"], "harbour_level")
+        self.assertIsNone(life["verdict"]["holds"])
+
+    def test_a_base_that_would_lift_is_told_of_a_wave_as_of_a_run(self):
+        sliding = ["--set", "sliding={ friction = 0.6, submerged_weight = 2.6e6 }", "--set", "loads.impulse.factor=3"]
+        run = self.summary("run", "--out", "run", *sliding)["warnings"]
+        self.summary("reduce", "--out", "lifts", *sliding)
+        (self.folder / "three.csv").write_text("\n".join(
+            line if not line[:1].isdigit() else ",".join([line.split(",")[0], str(3 * float(line.split(",")[1]))])
+            for line in (CASES / "fig2b-prototype-impulse.csv").read_text().splitlines()))
+        lifts = [next(w for w in found if w["name"] == "would_lift")
+                 for found in (run, self.told("respond", "lifts/reduced.h5", "three.csv", "--out", "three")["warnings"])]
+        self.assertAlmostEqual(lifts[1]["value"] / lifts[0]["value"], 1, delta=0.01)
 
     def respond(self, *arguments):
         return upbead("respond", *arguments, cwd=self.folder)

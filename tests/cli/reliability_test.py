@@ -53,6 +53,12 @@ class Reliability(ProgramTest):
                         for W in (5.2e6, 5.9e6))
         self.assertGreater(wide, narrow)
 
+    def test_a_mean_in_another_unit_than_the_design_is_told(self):
+        done = self.summary(*QUICK, "--set", "reliability.variables.friction.mean=63.6")[1]
+        self.assertIn("if it was meant in percent, write 0.636\n", done.stderr)
+        self.assertIn("reliability.variables.friction.mean = 63.6 is more than is ever found", done.stderr)
+        self.assertNotIn("implausible", self.summary(*QUICK)[1].stderr)
+
     def test_what_it_writes_runs_again(self):
         first = self.summary(*QUICK)[0]["modes"]
         self.assertEqual(first, self.summary(design=self.folder / "out/case.toml", out="again")[0]["modes"])

@@ -46,7 +46,11 @@ DESIGN = (("waves.storm.height=1100", "in cm, write 11"),
           ("section.submerged_weight=438", "in t/m, write 4.297e+06"),
           ("fluid.density=1.03", "in t/m3, write 1030"),
           ("levels={ high = 150 }", "in cm, write 1.5"),
-          ("limits.base_pressure=600", "in kPa, write 6e+05"))
+          ("limits.base_pressure=600", "in kPa, write 6e+05"),
+          ("section.berm_width=700", "in cm, write 7"),
+          ("section.harbour_level=-80", "in cm, write -0.8"))
+GIVEN = (("waves.storm.force=2e3", "in kN/m, write 2e+06"), ("waves.storm.uplift=1e3", "in kN/m, write 1e+06"),
+         ("ground.mass=300", "in t/m, write 3e+05"))
 
 
 def sized(factor):
@@ -134,6 +138,11 @@ class Units(ProgramTest):
     def test_of_a_design_at_length(self):
         for setting, meant in DESIGN:
             self.check_design((CASES / "design-wave/section.toml").read_text(), setting, meant)
+
+    def test_of_given_forces(self):
+        for setting, meant in GIVEN:
+            text = (CASES / "design-wave/section.toml").read_text() + "force = 2e6\n[ground]\nstiffness = 1e8\n"
+            self.check_design(text, setting, meant)
 
     def check_design(self, text, setting, meant):
         key = "levels.high" if "levels" in setting else setting.split("=")[0]

@@ -128,19 +128,6 @@ class OfASection(ProgramTest):
         both = ("regions.caisson.centre_of_gravity=[-3, 14]", f"section.centroid={t}")
         self.assertNotIn("centroid_differs", names(self.told(*both, command="explain")))
 
-    def test_a_reduced_model_has_the_warnings_of_its_scene(self):
-        low = "mesh.parameters.water_depth_back=13"
-        self.assertIn("harbour_level", names(self.told(low, command="reduce")))
-        text = (CASES / "design-wave/composite.toml").read_text()
-        for old, new in (("sea_front = 6", "sea_front = 1.5"), ("sea_back = 6", "sea_back = 1.5\ncells = 0.3\nwater_depth_back = 13"),
-                         ("seabed_front = 400", "seabed_front = 60"), ("seabed_back = 400", "seabed_back = 60")):
-            self.assertIn(old, text)
-            text = text.replace(old, new, 1)
-        (self.folder / "low.toml").write_text(text)
-        done = upbead("respond", "low.toml", "--out", "answer", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("warning: harbour_level: ", done.stderr)
-
     def test_soil_without_any_strength_fails_and_is_told(self):
         summary = self.told("regions.seabed.strength={ friction_angle = 0 }", "limits.circles=1")
         self.assertEqual(check_of(summary, "slip circles")["holds"], False)

@@ -38,6 +38,12 @@ class WaveLoads(ProgramTest):
         del wave["course"]
         self.assertEqual(wave, design["waves"]["storm"])
 
+    def test_a_weight_in_water_without_sliding_is_that_of_the_scene(self):
+        (self.folder / "bare.toml").write_text(re.sub(r"\[sliding\].*?(?=\[regions)", "", CASE.read_text(), flags=re.S))
+        told = self.ask("explain", "bare.toml", *COARSE, "--set", "section.submerged_weight=3.5e6").stderr
+        self.assertIn("section.submerged_weight = 3.5e+06 N/m, but the caisson less the water", told)
+        self.assertNotIn("section.submerged_weight", self.ask("explain", "bare.toml", *COARSE).stderr)
+
     def test_run_and_waves_have_one_P_and_U(self):
         formulas = self.by_formulas()
         for course in COURSES:

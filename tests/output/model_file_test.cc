@@ -77,6 +77,24 @@ TEST(ModelFile, ComesBackBitByBit) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+TEST(ModelFile, KeepsTheWarningsOfItsScene) {
+  ReducedModelFile made = oscillator();
+  EXPECT_TRUE(read_model_file(TemporaryFile(model_file(made)).path()).warnings.empty());
+  made.warnings = {{"harbour_level", 13., 15., "m", "still water", "give both levels", true},
+                   {"mesh_too_coarse", std::numeric_limits<double>::infinity(), 4., "1", "cells", "", false}};
+  const TemporaryFile file(model_file(made));
+  const NumberedWarnings read = read_model_file(file.path()).warnings;
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].name, "harbour_level");
+  EXPECT_EQ(read[0].value, 13.);
+  EXPECT_EQ(read[0].limit, 15.);
+  EXPECT_EQ(read[0].unit, "m");
+  EXPECT_EQ(read[0].text(), made.warnings[0].text());
+  EXPECT_TRUE(read[0].voids);
+  EXPECT_FALSE(read[1].voids);
+  EXPECT_EQ(read[1].text(), "cells");
+}
+
 TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
   ReducedModelFile made = oscillator();
   EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).sliding);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/base/error.h"
+#include "upbead/base/numbered_warning.h"
 #include "upbead/base/still_water.h"
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/nested_models.h"
@@ -72,6 +73,7 @@ struct ReducedModelFile {
   /// Slip circles under the caisson; none where no region has a strength, and in files of before them.
   std::optional<CircleModel> circles;
   int unknowns = 0, solves = 0, factorisations = 0;
+  NumberedWarnings warnings;  ///< of its scene, whatever the wave, as a run tells them; none in files of before them
 };
 
 /// The bytes of the file. Throws NumericsError where a number is not finite.

@@ -44,6 +44,15 @@ struct BaseExtremes {
 /// At rest, and the largest and least at the given times (s).
 BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>& time);
 
+/// The least stress of an edge of a rigid bottom that is bonded to elastic ground.
+struct EdgeStress {
+  double stress = 0.;  ///< Pa, compression positive
+  double force = 0., moment = 0., time = 0.;
+};
+EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double>& time);
+/// What it says where it is tension.
+std::string lifts_text(const EdgeStress& least);
+
 /// The worst pressures on the base under several waves, and at rest between them.
 struct WorstBase {
   static constexpr double leaves = std::numeric_limits<double>::infinity();

@@ -130,12 +130,25 @@ def document(model=None, design=None, summaries=()):
     """The page; `summaries` are those of the program for what it was made of: their failing checks and warnings stand
     first."""
     title = (design or model)["title"] or "Reduced model"
-    judged = typeset.page("".join(dict.fromkeys(told.listed(summary) for summary in summaries)))
-    before = f'<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>{judged}</section>'
+    if model and not (summaries and summaries[0]):  # else a run of the same scene has told them
+        summaries = [of_scene(model), *summaries[1:]]
+    before = judged_by(summaries)
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1
     inside = "".join((f"<h2>{name}</h2>\n" if several else "") + f'<p class="quiet">{facts}</p>\n{text}' for name, facts, text in parts)
-    return whole(title, f'{before if judged else ""}{inside}', script(model, design))
+    return whole(title, before + inside, script(model, design))
+
+
+def of_scene(model):
+    """What a summary would tell of the scene of a model, by its warnings."""
+    warnings = model.get("warnings", [])
+    return {"warnings": warnings, "why_void": "; ".join(one["name"] for one in warnings if one["voids"])}
+
+
+def judged_by(summaries):
+    judged = typeset.page("".join(dict.fromkeys(told.listed(summary) for summary in summaries)))
+    head = '<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>'
+    return f"{head}{judged}</section>" if judged else ""
 
 
 def document_of_soils(data):
@@ -145,7 +158,8 @@ def document_of_soils(data):
         "of the model of soils on soils that it was not made of. S, pressures and other waves: upbead respond --soil. Nothing is sent anywhere."
     )
     facts = html.escape(facts).replace("F_T", "<i>F</i><sub>T</sub>")
-    return whole(data["title"] or "Model of soils", f'<p class="quiet">{facts}</p>\n{element("What if, by soils", "whatif-soils", data)}', joined(OF_SOILS))
+    inside = f'<p class="quiet">{facts}</p>\n{element("What if, by soils", "whatif-soils", data)}'
+    return whole(data["title"] or "Model of soils", judged_by([of_scene(data)]) + inside, joined(OF_SOILS))
 
 
 def whole(title, inside, modules):

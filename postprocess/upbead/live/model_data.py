@@ -31,6 +31,7 @@ def model_data(path):
         numbers = zip(names, units, loads["peak"][()].tolist(), loads["duration"][()].tolist())
         return {
             "title": model.title,
+            "warnings": model.warnings,
             "loads": [{**dict(zip(("name", "unit", "peak", "duration"), row)), "pulse": pulse_of(file, row[0])} for row in numbers],
             "validity": {key: float(value) for key, value in file["validity"].attrs.items()},
             "mass": float(case["caisson_mass"]),

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..errors import ModelError
 from ..h5 import open_h5
+from ..reduced_model import warnings_in
 from ..results import text_of
 
 TOLERANCE = 0.01  # of the history of F_T over its peak; of it the basis takes SHARE on soils that it was not made of
@@ -182,6 +183,7 @@ def soil_data(path):
         rows = zip(names, *(box[key][()].tolist() for key in ("low", "high", "logarithmic")), points[0].tolist())
         data = {
             "title": text_of(file.attrs.get("title", "")),
+            "warnings": warnings_in(file),
             "keys": [dict(zip(("key", "low", "high", "logarithmic", "value"), row)) for row in rows],
             "theta": factors[0].tolist(),
             "powers": laws_of(path, points, factors, points[0]).tolist(),

@@ -126,6 +126,7 @@ struct Calibrator {
     out.name = name;
     out.title = model.title;
     out.load = model.load;
+    out.warnings = model.warnings;
     out.scale = table.scale;
     out.shortest_rise = shortest_rise(setting);
     out.step = table.step.value_or(out.shortest_rise / steps_of_a_rise);

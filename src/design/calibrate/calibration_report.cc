@@ -123,6 +123,10 @@ std::string brief(const Json& summary) {
 NumberedWarnings warnings_of(const Design& design, const Calibration& found) {
   NumberedWarnings list = design.implausible;
   for (const CalibratedModel& model : found.models) {
+    for (NumberedWarning warning : model.warnings) {
+      warning.what = "model " + model.name + ": " + warning.what;
+      list.push_back(std::move(warning));
+    }
     const auto n = std::count_if(model.fits.begin(), model.fits.end(), [](const CalibrationFit& fit) {
       return !fit.fit || fit.fit->doubt != FitDoubt::none;
     });

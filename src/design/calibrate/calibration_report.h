@@ -64,6 +64,7 @@ struct CalibratedModel {
   double step = 0., shortest_rise = 0.;  ///< s
   std::vector<CalibratedWave> waves;
   std::vector<CalibrationFit> fits;
+  NumberedWarnings warnings;  ///< of the scene of the model
 };
 
 /// The fit to take for design: by S itself (`exact`), at all r together, as one k serves all r. Where that fit is
