@@ -37,11 +37,11 @@ Vector GapForces::at(double time, double inside) const {
   const GapWater& water = *interface_.gap;
   const auto n = static_cast<Eigen::Index>(share_.size());
   const Eigen::Map<const Vector> length(interface_.length.data(), n), share(share_.data(), n);
-  std::array<double, 2> end{water.foot[0](time, inside), water.foot[1](time, inside)};
   Vector closed = Vector::Zero(n);
   for (const GapWater::Closed& load : water.closed) closed += load.pressure(time, inside) * load.node;
-  if (!is_open_[0]) end[0] = closed[0] / length[0];
-  if (!is_open_[1]) end[1] = closed[n - 1] / length[n - 1];
+  std::array<double, 2> end{closed[0] / length[0], closed[n - 1] / length[n - 1]};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (is_open_[side]) end[side] = std::max(end[side], water.foot[side](time, inside));
   const Vector pressure = (end[1] + (end[0] - end[1]) * share.array()).matrix();
   return length.cwiseProduct(pressure) - closed;
 }

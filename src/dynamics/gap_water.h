@@ -22,10 +22,11 @@ struct GapWater {
 namespace detail {
 
 /// The forces of that water at the nodes, beyond those of the closed interface. A gap, which is as long as the nodes
-/// from its edge on are open, has the pressure at its mouth all along. Between two gaps, and between a gap and an edge
-/// that is closed, the pressure runs in a straight line; a closed edge has that of the closed interface. So do dams
-/// with cracks under them: Ebeling, Nuss, Tracy and Brand (2000), ERDC/ITL TR-00-1. Where all is open the line runs
-/// from edge to edge.
+/// from its edge on are open, has the pressure at its mouth all along: the larger of that of the water beside the edge
+/// and that of the closed interface there, on the safe side. Between two gaps, and between a
+/// gap and an edge that is closed, the pressure runs in a straight line; a closed edge has that of the closed
+/// interface. So do dams with cracks under them: Ebeling, Nuss, Tracy and Brand (2000), ERDC/ITL TR-00-1. Where all is
+/// open the line runs from edge to edge.
 class GapForces {
  public:
   /// None where the interface has no such water. It must outlive this.
