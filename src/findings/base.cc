@@ -71,10 +71,13 @@ void look_at_loads_on_edge(const EffectiveBase& base, const EffectiveBase& still
     on_edge.uplift.push_back(still.uplift[i]), on_edge.uplift_moment.push_back(still.uplift_moment[i]);
   }
   const BaseExtremes loads = base_extremes(on_edge, when);
-  if (!loads.least_overturning_margin || *loads.least_overturning_margin >= above_all(summary.least_overturning_margin))
-    return;
-  summary.least_overturning_margin = loads.least_overturning_margin;
-  summary.least_overturning_margin_time = loads.least_overturning_margin_time;
+  std::optional<double> margin = loads.least_overturning_margin;
+  const bool leaves = !loads.peak_heel_pressure || !loads.peak_toe_pressure;
+  const bool by_uplift = leaves && !(margin && *margin < 1.);  // without a wave that overturns
+  if (by_uplift) margin = 0.;
+  if (!margin || *margin >= above_all(summary.least_overturning_margin)) return;
+  summary.least_overturning_margin = margin;
+  summary.least_overturning_margin_time = by_uplift ? when.front() : loads.least_overturning_margin_time;
 }
 
 std::optional<BaseSummary> find_base(const Evidence& e) {
@@ -93,7 +96,7 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
     look_at_nodes(e.simulation, *base, series, s);
   if (contact && contact->found.solved) {
     set_lifting(*contact->found.solved, s);
-    look_at_loads_on_edge(*base, still, series.time, s);
+    look_at_loads_on_edge(*base, loads_alone(e.simulation, *base, series), series.time, s);
   }
   return s;
 }

@@ -138,6 +138,18 @@ EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, c
   return base;
 }
 
+EffectiveBase loads_alone(const Simulation& simulation, EffectiveBase base, const Series& ends) {
+  const auto& sliding = simulation.scene().sliding;
+  const bool computed = sliding && sliding->uplift && sliding->uplift->kind == UpliftKind::computed;
+  const System& system = simulation.system();
+  for (std::size_t i = 0; i < ends.time.size() && !computed; ++i) {
+    const auto t = static_cast<Eigen::Index>(i);
+    base.uplift[i] -= ends.reading(system.reading(reading::uplift), t);
+    base.uplift_moment[i] -= ends.reading(system.reading("uplift_moment"), t);
+  }
+  return without_motion(simulation, std::move(base), ends.time);
+}
+
 namespace {
 
 Dataset of_edge(const std::string& name, const std::string& edge, std::vector<double> values) {

@@ -61,10 +61,10 @@ std::string why_not_all(const DesignSliding& design, double tolerable) {
 bool comes_to_rest(const Evidence& e, const SlidingSummary& sliding) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (sliding.design.value == 0. || !base || is_shaken(e.scene)) return true;
-  const std::vector<double>& time = e.of(find_history).series.time;
-  if (time.empty()) return true;
-  const double normal = without_motion(e.simulation, *base, time).force.back();
-  const double force = force_on_caisson(*e.simulation.compiled())(time.back()) + base->push;
+  const Series& series = e.of(find_history).series;
+  if (series.time.empty()) return true;
+  const double normal = loads_alone(e.simulation, *base, series).force.back();
+  const double force = force_on_caisson(*e.simulation.compiled())(series.time.back()) + base->push;
   return normal > 0. && std::abs(force) <= sliding.friction * normal;
 }
 

@@ -149,6 +149,7 @@ class OfASection(ProgramTest):
         for name in ("heel pressure in motion", "margin against overturning"):
             self.assertEqual(check_of(summary, name)["holds"], False, name)
         self.assertIn("rocks_on_edge", names(summary))
+        self.assertFalse(summary["sliding"]["design"]["rests"], "U stays above W'")
 
 
 class OfADesign(ProgramTest):
