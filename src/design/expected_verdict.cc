@@ -287,10 +287,26 @@ Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& b
           "the mean of all lives, the larger of two routes: " + told(other.law, other.statistics.mean)};
 }
 
+namespace {
+
+/// A limit of lives that has no lives, or no distance, is told to be unchecked.
+void add_unjudged(const ExpectedAnswer& answer, const Limits& limits, Checks& list) {
+  if (!limits.lives_beyond || (answer.monte_carlo && limits.sliding)) return;
+  const Check check = check_of(FailureMode::sliding_distance, "share of lives that slide farther than a limit", "", {},
+                               "monte_carlo.exceeded[].probability", "");
+  list.push_back(routed(not_checked(held_to(check, limits, &Limits::lives_beyond),
+                                    limits.sliding ? "the file simulates no lives: it has no table [life]"
+                                                   : "limits.sliding, how far they may slide, is not given"),
+                        Law::exact));
+}
+
+}  // namespace
+
 Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
   const Limits& limits = design.tables.limits;
   Checks list;
   if (!answer.states.empty()) add_record(answer, limits, list);
+  add_unjudged(answer, limits, list);
   if (!answer.monte_carlo) return list;
   list.push_back(distance_check("sliding distance of a life", headline_of(*answer.monte_carlo, answer.formula_lives),
                                 "monte_carlo.headline.value", limits));

@@ -172,6 +172,18 @@ class OfADesign(ProgramTest):
         self.assertEqual(self.accused("section.harbour_level=-4"), [])
         self.assertIn("section.harbour_level", self.accused("section.harbour_level=-400")[0])
 
+    def test_a_limit_of_lives_without_lives_is_not_checked(self):
+        def expected(*keys):
+            return self.json_of("expected", CASES / "designer/design.toml", "limits.lives_beyond=0.05", *keys)
+
+        lives = ("life={ years = 50, simulated_lives = 20 }", "limits.sliding=0.3")
+        for keys, why in ((lives[:1], "limits.sliding"), (lives[1:], "[life]"), ((), "limits.sliding")):
+            summary = expected(*keys)
+            check = check_of(summary, "share of lives that slide farther than a limit")
+            self.assertIn(why, check["why_not"])
+            self.assertEqual(summary["verdict"]["unjudged"], 1)
+        self.assertEqual(expected(*lives)["verdict"]["unjudged"], 0)
+
     def test_a_wave_that_no_sea_has_is_told(self):
         few = [w["name"] for w in self.told("waves.design.significant_height=1.5")["warnings"]]
         usual = [w["name"] for w in self.told("waves.design.significant_height=4")["warnings"]]
