@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -25,6 +26,14 @@
 namespace upbead {
 
 namespace {
+
+/// CLI::PositiveNumber takes what is no number, and tells a limit of 309 digits.
+std::string positive_number(std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool whole = end != text.c_str() && *end == '\0';
+  return whole && value > 0. && std::isfinite(value) ? "" : text + " is no positive number; give one such as 20";
+}
 
 constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3;
 
@@ -49,7 +58,7 @@ void add(CLI::App& app, const Option& option, bool may_lack) {
       option.value);
   if (!option.type.empty()) added->type_name(option.type);
   if (option.required && !may_lack) added->required();
-  if (option.positive) added->check(CLI::PositiveNumber);
+  if (option.positive) added->check(CLI::Validator(positive_number, "POSITIVE"));
   if (option.range) added->check(CLI::Range(option.range->first, option.range->second));
   if (!option.words.empty())
     added->check(CLI::IsMember(option.words))->option_text(CLI::detail::join(option.words, "|"));

@@ -65,6 +65,13 @@ class Cli(ProgramTest):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertEqual(done.stderr, "there is no command 'rum'; did you mean 'run'?\n")
 
+    def test_a_length_that_is_no_positive_number_is_told_in_a_line(self):
+        for width in ("nan", "-2", "inf", "2m", "1e999"):
+            done = upbead("new", "mine.toml", "--width", width, "--height", "17", cwd=self.folder)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"--width: {width} is no positive number; give one such as 20\n", done.stderr)
+            self.assertEqual(self.left_behind(), [])
+
     def test_mistakes_of_a_case_are_told_without_the_solver(self):
         alone = self.folder / "upbead"
         shutil.copy(PROGRAM, alone)
