@@ -293,7 +293,7 @@ namespace {
 void add_unjudged(const ExpectedAnswer& answer, const Limits& limits, Checks& list) {
   if (!limits.lives_beyond || (answer.monte_carlo && limits.sliding)) return;
   const Check check = check_of(FailureMode::sliding_distance, "share of lives that slide farther than a limit", "", {},
-                               "monte_carlo.exceeded[].probability", "");
+                               "limits.lives_beyond", "");
   list.push_back(routed(not_checked(held_to(check, limits, &Limits::lives_beyond),
                                     limits.sliding ? "the file simulates no lives: it has no table [life]"
                                                    : "limits.sliding, how far they may slide, is not given"),
