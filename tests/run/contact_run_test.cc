@@ -162,6 +162,15 @@ TEST_F(ContactRun, MarchesTheWholeGroundWhereAllCellsAreAskedFor) {
   EXPECT_EQ(asked.run.summary.contact->solved->slip, whole.run.summary.contact->solved->slip);
 }
 
+TEST_F(ContactRun, MarchesTheWholeGroundWhereTheSeaEntersGaps) {
+  const std::string sea = "regions.caisson.interface={ kind = \"friction\", gap = \"sea\" }";
+  const Solved marched = solve({"loads.impulse.factor=6", sea}),
+               asked = solve({"loads.impulse.factor=6", sea, "time.scheme=\"reduced\""});
+  EXPECT_FALSE(asked.run.summary.contact->solved->ground);
+  EXPECT_EQ(asked.run.summary.contact->solved->slip, marched.run.summary.contact->solved->slip);
+  EXPECT_TRUE(asked.run.summary.contact->solved->gap_force);
+}
+
 TEST_F(ContactRun, CoupledSlipIsSkippedWhereTheCaissonSticks) {
   const Solved stuck = solve({});
   ASSERT_TRUE(stuck.run.summary.sliding->coupled);

@@ -167,6 +167,8 @@ std::string why_ground_is_whole(const Simulation& simulation) {
   if (simulation.processes()) return "several processes share the work";
   if (!simulation.compiled()->caisson) return "there is no caisson";
   if (!system.interface || system.n_prescribed != 2 * system.interface->n_nodes()) return "a motion is prescribed";
+  const auto& law = scene.regions.at(caisson_name).interface;
+  if (law && law->gap == GapSource::sea) return "the sea enters gaps, and nested models may agree by chance";
   if (scene.time.stop_at_energy) return "it shall stop early";
   if (scene.fields_every || has_strength(scene) || builds_pressure(scene) || scene.limits.liquefaction)
     return "the case asks for what is found in all cells";
