@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "dynamics/contact_stage.h"
+#include "dynamics/ground_steps.h"
 #include "dynamics/scheme_base.h"
 
 namespace upbead {
@@ -17,10 +18,10 @@ namespace {
 /// repeated with the next tableau.
 class FrictionalContact : public SchemeBase {
  public:
-  FrictionalContact(const System& system, const SchemeOptions& options);
+  FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground);
   std::string name() const override { return "contact"; }
   int order() const override { return 2; }
-  int solves_per_step() const override { return bonded_.n_stages(); }
+  int solves_per_step() const override { return bonded_->n_stages(); }
   void start(const State& state) override;
   void advance(State& state, double h) override;
   bool leap(State& state, double h) override;
@@ -29,13 +30,14 @@ class FrictionalContact : public SchemeBase {
   void recall(const SchemeMemory& memory) override;
 
  private:
-  bool attempt(Dirk& dirk, int n, StopAt stop, State& state, double h);
+  void make_steps(const GroundMatrices* ground);
+  bool attempt(Steps& steps, int n, StopAt stop, State& state, double h);
   bool settled(const State& state) const;
   void end_step(const State& state);
   void report();
 
-  Dirk bonded_, moving_, impact_;
   ContactStage stage_;
+  std::unique_ptr<Steps> bonded_, moving_, impact_;
   ContactReport report_;
   int fallbacks_before_ = 0;
   int steps_at_rest_ = 0;  ///< number of steps since a node moved or a leap failed
@@ -47,13 +49,27 @@ const System& checked(const System& system) {
   return system;
 }
 
-FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options)
-    : SchemeBase(checked(system), options),
-      bonded_(system, sdirk4_tableau()),
-      moving_(bonded_, friction_tableau()),
-      impact_(bonded_, euler_tableau()),
-      stage_(system) {
+FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground)
+    : SchemeBase(checked(system), options), stage_(system) {
+  make_steps(ground);
   report_.forces = stage_.now().forces;
+}
+
+void FrictionalContact::make_steps(const GroundMatrices* ground) {
+  if (ground == nullptr) {
+    auto first = std::make_unique<Dirk>(system_, sdirk4_tableau());
+    moving_ = std::make_unique<Dirk>(*first, friction_tableau());
+    impact_ = std::make_unique<Dirk>(*first, euler_tableau());
+    bonded_ = std::move(first);
+    return;
+  }
+  const auto shared = std::make_shared<GroundStages>();
+  const auto steps = [&](Tableau tableau) {
+    return std::make_unique<GroundSteps>(system_, *ground, std::move(tableau), stage_, shared);
+  };
+  bonded_ = steps(sdirk4_tableau());
+  moving_ = steps(friction_tableau());
+  impact_ = steps(euler_tableau());
 }
 
 void FrictionalContact::start(const State& state) {
@@ -73,20 +89,20 @@ void FrictionalContact::recall(const SchemeMemory&) {
 }
 
 /// Takes the step as n equal steps of a tableau; where one of them stops, all but the number of solves is as before.
-bool FrictionalContact::attempt(Dirk& dirk, int n, StopAt stop, State& state, double h) {
+bool FrictionalContact::attempt(Steps& steps, int n, StopAt stop, State& state, double h) {
   const State before = state;
   const InterfaceState stage_before = stage_.now();
   const EnergyAccount account_before = energy();
   stage_.begin_step(stop);
   for (int i = 0; i < n; ++i)
-    if (!dirk.step(state, h / n, before.time + 0.5 * h, matrices_, meter(), &stage_)) {
+    if (!steps.step(state, h / n, before.time + 0.5 * h, matrices_, meter(), &stage_)) {
       state = before;
       stage_.restore(stage_before);
       if (meter() != nullptr) meter()->restore(account_before);
       return false;
     }
   state.time = before.time + h;
-  end_load_ = dirk.load();
+  end_load_ = steps.load();
   return true;
 }
 
@@ -99,9 +115,9 @@ bool FrictionalContact::settled(const State& state) const {
 
 void FrictionalContact::advance(State& state, double h) {
   const bool is_settled = settled(state);
-  if (!(is_settled && stage_.all_stick() && attempt(bonded_, 1, StopAt::release, state, h)) &&
-      !(is_settled && attempt(moving_, 1, StopAt::impact, state, h)))
-    attempt(impact_, 4, StopAt::never, state, h);
+  if (!(is_settled && stage_.all_stick() && attempt(*bonded_, 1, StopAt::release, state, h)) &&
+      !(is_settled && attempt(*moving_, 1, StopAt::impact, state, h)))
+    attempt(*impact_, 4, StopAt::never, state, h);
   end_step(state);
 }
 
@@ -110,7 +126,7 @@ void FrictionalContact::advance(State& state, double h) {
 bool FrictionalContact::leap(State& state, double h) {
   constexpr int wait = 2;
   if (steps_at_rest_ < wait) return false;
-  if (attempt(bonded_, 1, StopAt::release, state, h)) {
+  if (attempt(*bonded_, 1, StopAt::release, state, h)) {
     end_step(state);
     return true;
   }
@@ -142,8 +158,13 @@ void FrictionalContact::report() {
 }  // namespace detail
 
 std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy, bool refined) {
-  return std::make_unique<detail::FrictionalContact>(system,
-                                                     SchemeOptions{SchemeKind::sdirk4, 0., account_energy, refined});
+  return std::make_unique<detail::FrictionalContact>(
+      system, SchemeOptions{SchemeKind::sdirk4, 0., account_energy, refined}, nullptr);
+}
+
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground) {
+  return std::make_unique<detail::FrictionalContact>(system, SchemeOptions{SchemeKind::sdirk4, 0., true, false},
+                                                     &ground);
 }
 
 }  // namespace upbead

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "dynamics/ground_matrices.h"
 #include "upbead/dynamics/scheme.h"
 
 namespace upbead {
@@ -47,5 +48,9 @@ struct ContactReport {
 /// Scheme::contact(). Throws std::invalid_argument where the system has no interface; its steps throw NumericsError
 /// where no motion obeys the law. `refined`: see SchemeOptions.
 std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy = true, bool refined = false);
+/// The same scheme where the matrices are those of a ground of few coordinates, which must outlive it; those of the
+/// system are not read. Its account of energy does not tell fields apart: `kinetic` is all that M holds, `strain` all
+/// that K holds, `damping` all that C takes.
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground);
 
 }  // namespace upbead

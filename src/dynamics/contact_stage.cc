@@ -55,19 +55,10 @@ bool ContactStage::all_stick() const {
                      [](ContactState contact) { return contact == ContactState::stick; });
 }
 
-int ContactStage::n_fallbacks() const {
-  int n = fallbacks_of_dropped_;
-  for (const auto& [g, condensed] : condensed_) n += condensed.problem.n_fallbacks();
-  return n;
-}
-
 ContactStage::Condensed& ContactStage::condensed(const EffectiveMatrix& E, double g) {
   const auto found = condensed_.find(g);
   if (found != condensed_.end()) return found->second;
-  if (condensed_.size() == kept_problems) {
-    fallbacks_of_dropped_ = n_fallbacks();
-    condensed_.clear();
-  }
+  if (condensed_.size() == kept_problems) condensed_.clear();
   std::optional<Border> border = E.border_of_last(2 * n_);
   n_solves_ += border ? n_ : 2 * n_;  // with a border only half of each solve is done
   ContactProblem problem(E.condensed_on_last(2 * n_, border), interface_.friction);
@@ -134,12 +125,15 @@ void ContactStage::correct(const EffectiveMatrix& E, double g, const Vector& mot
 }
 
 /// Goes from the point of the guess to the one that obeys the law. False: the step must not go on.
-bool ContactStage::decide(const EffectiveMatrix& E, double g, ContactPoint& point) {
+bool ContactStage::decide(const std::function<ContactProblem&()>& problem, ContactPoint& point) {
   std::vector<ContactState> status(static_cast<std::size_t>(n_), ContactState::stick);
   if (!point.motion.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
     if (stop_ == StopAt::release) return false;
     status = now_.status;
-    point = condensed(E, g).problem.solve(point, scale_, status);
+    ContactProblem& law = problem();
+    const int before = law.n_fallbacks();
+    point = law.solve(point, scale_, status);
+    n_fallbacks_ += law.n_fallbacks() - before;
   }
   return note(status);
 }
@@ -148,15 +142,16 @@ bool ContactStage::solve_whole(const EffectiveMatrix& E, double g, DirkStage& st
   const Vector guess = point.motion;
   E.solve(stage.rhs, stage.a);
   point.forces = forces(E.residual_of_last(2 * n_, stage.rhs, stage.a));
-  if (!decide(E, g, point)) return false;
+  if (!decide([&]() -> ContactProblem& { return condensed(E, g).problem; }, point)) return false;
   if (point.motion != guess) correct(E, g, point.motion, stage);
   return true;
 }
 
 bool ContactStage::solve_by_halves(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point) {
-  const Border& border = *condensed(E, g).border;
+  Condensed& here = condensed(E, g);
+  const Border& border = *here.border;
   point.forces = forces(E.begin(border, stage.rhs, stage.a));
-  if (!decide(E, g, point)) return false;
+  if (!decide([&]() -> ContactProblem& { return here.problem; }, point)) return false;
   const Vector before = stage.a.tail(2 * n_);
   set_accelerations(point.motion, g, stage);
   const Vector change = stage.a.tail(2 * n_) - before;
@@ -172,6 +167,20 @@ bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
   const bool halves = stop_ != StopAt::release && condensed(E, g).border;
   if (!(halves ? solve_by_halves(E, g, stage, point) : solve_whole(E, g, stage, point))) return false;
   now_.forces = forces(E.residual_of_last(2 * n_, stage.rhs, stage.a));
+  stage.move(g);
+  set_motions(point.motion, g, stage);
+  return true;
+}
+
+bool ContactStage::solve(CondensedStage& E, double g, DirkStage& stage) {
+  ContactPoint point{first_guess(g, stage), {}};
+  set_accelerations(point.motion, g, stage);
+  ++n_solves_;
+  point.forces = forces(E.begin(stage));
+  if (!decide([&]() -> ContactProblem& { return E.problem(); }, point)) return false;
+  set_accelerations(point.motion, g, stage);
+  E.finish(stage);
+  now_.forces = point.forces;
   stage.move(g);
   set_motions(point.motion, g, stage);
   return true;

@@ -1,6 +1,7 @@
 // A stage of a time scheme under the law of contact.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -27,6 +28,17 @@ struct InterfaceState {
   int impacts = 0;       ///< nodes that closed, in this step
 };
 
+/// The equations of a stage, condensed on the interface.
+class CondensedStage {
+ public:
+  virtual ~CondensedStage() = default;
+  /// Residual of the interface's rows, at the motion in the tail of stage.a.
+  virtual Vector begin(const DirkStage& stage) = 0;
+  virtual ContactProblem& problem() = 0;
+  /// Sets stage.a of the free unknowns, at the motion in its tail. After begin().
+  virtual void finish(DirkStage& stage) = 0;
+};
+
 /// Solves stages under the law of contact (ContactProblem). In a stage the free unknowns depend linearly on those of
 /// the interface, and so do the interface's forces: D is E condensed on the interface, for motions q = (slip rate /
 /// g, opening / g^2).
@@ -45,6 +57,7 @@ class ContactStage : public StageLaw {
   void begin_step(StopAt stop);
   void add_load(double time, double inside, Vector& f) override;
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
+  bool solve(CondensedStage& E, double g, DirkStage& stage);
 
   const InterfaceState& now() const { return now_; }
   /// Forces of the water in gaps in the last stage; empty: none act.
@@ -54,13 +67,13 @@ class ContactStage : public StageLaw {
   /// Whether all nodes stick.
   bool all_stick() const;
   int n_solves() const { return n_solves_; }
-  int n_fallbacks() const;
+  int n_fallbacks() const { return n_fallbacks_; }
 
  private:
   Vector first_guess(double g, const DirkStage& stage) const;
   Condensed& condensed(const EffectiveMatrix& E, double g);
   InterfaceForces forces(const Vector& residual) const;
-  bool decide(const EffectiveMatrix& E, double g, ContactPoint& point);
+  bool decide(const std::function<ContactProblem&()>& problem, ContactPoint& point);
   bool solve_whole(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point);
   bool solve_by_halves(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point);
   void set_accelerations(const Vector& motion, double g, DirkStage& stage) const;
@@ -77,7 +90,7 @@ class ContactStage : public StageLaw {
   Vector gap_;
   StopAt stop_ = StopAt::never;
   std::map<double, Condensed> condensed_;  ///< by g
-  int fallbacks_of_dropped_ = 0;
+  int n_fallbacks_ = 0;
   int n_solves_ = 0;
   Vector no_load_, correction_;
 };

@@ -78,22 +78,35 @@ Tableau sdirk4_tableau();
 /// energy over the step. With w = 1/(1 - z/4) the stability function is R(z) = w^3 + w^2 - w.
 Tableau friction_tableau();
 
+/// Steps of one tableau.
+class Steps {
+ public:
+  Steps() = default;
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+  virtual ~Steps() = default;
+  /// Advances `state` by h with the loads of the piece that contains the time `inside`; `meter` may be null. One
+  /// solve for each stage, or as many as `law` needs. False where the law gives up: then `state` is as before, but
+  /// the account of energy is not.
+  virtual bool step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter,
+                    StageLaw* law) = 0;
+  virtual int n_stages() const = 0;
+  /// Load values at the end of the last step.
+  virtual const std::vector<double>& load() const = 0;
+};
+
 /// Stages of x' = v, v' = a with M a_i + C v_i + K x_i = f_i, solved for accelerations: with g = h gamma,
 ///   v_i = vhat + g a_i,  x_i = xhat + g v_i,  (M + g C + g^2 K) a_i = f_i - C vhat - K (xhat + g vhat).
-class Dirk {
+class Dirk : public Steps {
  public:
   Dirk(const System& system, Tableau tableau);
   /// Shares the copies of C and K with another Dirk of the same system.
   Dirk(const Dirk& other, Tableau tableau) : Dirk(other.system_, std::move(tableau), other.damping_and_stiffness_) {}
 
-  /// Advances `state` by h with the loads of the piece that contains the time `inside`; `meter` may be null. One
-  /// solve for each stage, or as many as `law` needs. False where the law gives up: then `state` is as before, but
-  /// the account of energy is not.
   bool step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter,
-            StageLaw* law = nullptr);
-  int n_stages() const { return static_cast<int>(c_.size()); }
-  /// Load values at the end of the last step.
-  const std::vector<double>& load() const { return load_; }
+            StageLaw* law) override;
+  int n_stages() const override { return static_cast<int>(c_.size()); }
+  const std::vector<double>& load() const override { return load_; }
 
  private:
   Dirk(const System& system, Tableau tableau, std::shared_ptr<const SymmetricPair> damping_and_stiffness);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
@@ -18,10 +17,14 @@ namespace {
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double fast_share = 4.;  ///< the second shift, over the first: about a stage of contact's steps
-constexpr Eigen::Index low_degrees = 6;
-/// Moments at each level, about the first and the second shift.
-constexpr int slow_motions[] = {7, 11, 16}, fast_motions[] = {3, 5, 8}, slow_loads[] = {24, 40, 60},
-              fast_loads[] = {10, 16, 24};
+/// Moments at each level, about the first and the second shift: of loads, and of motions of rising degree, of which
+/// higher ones begin at a higher level, so that the difference of two levels tells what is missed without them.
+constexpr int slow_loads[] = {24, 40, 60}, fast_loads[] = {10, 16, 24};
+constexpr int slow_motions[][3] = {{8, 12, 16}, {0, 6, 12}, {0, 0, 6}},
+              fast_motions[][3] = {{3, 5, 8}, {0, 3, 6}, {0, 0, 3}};
+/// Degrees of each of these: as many as carry nothing, then so many more.
+constexpr Eigen::Index more_degrees = 4;
+
 /// Directions count above this part of a start's length.
 constexpr double least_length[] = {1e-4, 1e-4, 1e-5};
 
@@ -29,20 +32,25 @@ SparseMatrix at_shift(const System& system, double shift) {
   return shift * shift * system.M + shift * system.C + system.K;
 }
 
-/// Orthonormal functions of the nodes: polynomials of rising degree as far as these are independent.
-Eigen::MatrixXd by_degree(const std::vector<double>& position) {
-  const auto n = static_cast<Eigen::Index>(position.size());
-  const double first = position.front(), length = std::max(position.back() - first, 1e-300);
-  Eigen::MatrixXd values(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double x = 2. * (position[static_cast<std::size_t>(i)] - first) / length - 1.;
-    double now = 1., next = x;  // Chebyshev's, by their recurrence
-    for (Eigen::Index k = 0; k < n; ++k) {
-      values(i, k) = now;
-      now = std::exchange(next, 2. * x * next - now);
-    }
-  }
-  return values.householderQr().householderQ();
+/// Bases of `exact` unknowns alone.
+FieldBases bases_of(const System& system, double shift, const std::vector<int>& exact) {
+  FieldBases bases = exact_bases(system, at_shift(system, shift), exact);
+  const int n = system.n_prescribed;
+  FieldBasis& u = bases.displacements;
+  const Eigen::Index kept = u.n() - n;
+  u.vectors = u.vectors.middleCols(n, std::max<Eigen::Index>(kept, 1)).eval();
+  u.coordinate.erase(u.coordinate.begin(), u.coordinate.begin() + n);
+  for (FieldBasis* basis : {&bases.displacements, &bases.phi})
+    for (int& coordinate : basis->coordinate) coordinate -= n;
+  return bases;
+}
+
+/// Unknowns that are coordinates themselves.
+std::vector<bool> own_unknowns(const System& system, const std::vector<int>& exact) {
+  std::vector<bool> own(static_cast<std::size_t>(system.size()), false);
+  for (int i = system.n_free(); i < system.size(); ++i) own[static_cast<std::size_t>(i)] = true;
+  for (const int i : exact) own[static_cast<std::size_t>(i)] = true;
+  return own;
 }
 
 }  // namespace
@@ -83,23 +91,22 @@ Eigen::MatrixXd MomentTrain::next(const Eigen::MatrixXd& now, const Eigen::Matri
 }
 
 InterfaceSpace::InterfaceSpace(const System& system, double shift, const std::vector<int>& exact,
-                               const std::vector<Vector>& kept)
+                               const std::vector<Vector>& kept, Eigen::MatrixXd of_loads)
     : system_(system),
       shift_(shift),
-      own_(static_cast<std::size_t>(system.size()), false),
-      bases_(exact_bases(system, at_shift(system, shift), exact)),
+      own_(own_unknowns(system, exact)),
+      of_loads_(std::move(of_loads)),
+      bases_(bases_of(system, shift, exact)),
       n_own_{bases_.displacements.n(), bases_.phi.n()},
       slow_(system, shift),
-      fast_(system, fast_share * shift) {
-  for (int i = system.n_free(); i < system.size(); ++i) own_[static_cast<std::size_t>(i)] = true;
-  for (const int i : exact) own_[static_cast<std::size_t>(i)] = true;
+      fast_(system, fast_share * shift),
+      carried_(system, fast_.matrix(), own_) {
   if (!kept.empty()) {
     Eigen::MatrixXd columns(system.size(), static_cast<Eigen::Index>(kept.size()));
     for (std::size_t k = 0; k < kept.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = kept[k];
     add(bases_.displacements, {columns});
   }
-  start_motions();
-  start_loads();
+  start();
   extend();
 }
 
@@ -109,46 +116,30 @@ int InterfaceSpace::n_solves() const {
   return slow_.n_solves() + fast_.n_solves();
 }
 
-void InterfaceSpace::start_motions() {
-  const Eigen::MatrixXd degrees = by_degree(system_.interface->position);
-  const Eigen::Index n = degrees.rows(), low = std::min(low_degrees, n), high = n - low;
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(system_.n_prescribed, 2 * n);
-  motions.block(0, 0, n, low) = motions.block(n, low, n, low) = degrees.leftCols(low);
-  motions.block(0, 2 * low, n, high) = motions.block(n, 2 * low + high, n, high) = degrees.rightCols(high);
-  begin(slow_, slow_motions, slow_.follow(motions.leftCols(2 * low)));
-  const Eigen::MatrixXd all = fast_.follow(motions);
-  begin(fast_, fast_motions, all.leftCols(2 * low));
-  if (high == 0) return;
-  Eigen::MatrixXd local(system_.size(), 2 * n);
-  local << product(all.middleCols(2 * low, high), degrees.rightCols(high).transpose()),
-      product(all.rightCols(high), degrees.rightCols(high).transpose());
-  carry(local);
-}
-
-/// Adds to the motion of each node what the ground does with it, by column.
-void InterfaceSpace::carry(const Eigen::MatrixXd& local) {
-  FieldBasis& basis = bases_.displacements;  // whose first columns are those of the prescribed unknowns
-  for (Eigen::Index j = 0; j < local.cols(); ++j)
-    for (std::size_t i = 0; i < basis.unknown.size(); ++i) {
-      const int unknown = basis.unknown[i];
-      const auto row = static_cast<Eigen::Index>(i);
-      if (!own_[static_cast<std::size_t>(unknown)]) basis.vectors(row, j) = local(unknown, j) / basis.unit[row];
-    }
-}
-
-void InterfaceSpace::start_loads() {
+void InterfaceSpace::start() {
   std::vector<const Vector*> acting;
   for (const SystemLoad& load : system_.loads)
-    if (load.vector.head(system_.n_free()).squaredNorm() > 0.) acting.push_back(&load.vector);
-  if (acting.empty()) return;
+    if (of_loads_.size() == 0 && load.vector.head(system_.n_free()).squaredNorm() > 0.) acting.push_back(&load.vector);
   Eigen::MatrixXd loads(system_.size(), static_cast<Eigen::Index>(acting.size()));
   for (std::size_t k = 0; k < acting.size(); ++k) loads.col(static_cast<Eigen::Index>(k)) = *acting[k];
-  begin(slow_, slow_loads, slow_.answer(loads));
-  begin(fast_, fast_loads, fast_.answer(loads));
+  const auto add_series = [&](MomentTrain& train, const int* orders, const Eigen::MatrixXd& start, bool of_loads) {
+    if (start.cols() > 0) series_.push_back({&train, orders, of_loads, start, {}, {}, 0});
+  };
+  add_series(slow_, slow_loads, loads, true);
+  add_series(fast_, fast_loads, loads, true);
+  Eigen::Index first = 0;
+  for (std::size_t group = 0; group < std::size(slow_motions); ++group) {
+    const Eigen::MatrixXd& motions = carried_.by_degree();
+    const Eigen::Index wanted = group == 0 ? 2 * CarriedMotions::low_degrees : 2 * more_degrees;
+    const Eigen::Index n = std::min(wanted, motions.cols() - first);
+    add_series(slow_, slow_motions[group], motions.middleCols(first, n), false);
+    add_series(fast_, fast_motions[group], motions.middleCols(first, n), false);
+    first += n;
+  }
 }
 
 /// All starts get the length 1 in the norm of the bases, without the coordinates that are kept anyhow.
-void InterfaceSpace::begin(MomentTrain& train, const int* orders, Eigen::MatrixXd first) {
+Eigen::MatrixXd InterfaceSpace::normalised(Eigen::MatrixXd first) const {
   for (Eigen::Index j = 0; j < first.cols(); ++j) {
     double square = 0.;
     for (const FieldBasis* basis : {&bases_.displacements, &bases_.phi})
@@ -159,19 +150,28 @@ void InterfaceSpace::begin(MomentTrain& train, const int* orders, Eigen::MatrixX
         }
     if (square > 0.) first.col(j) /= std::sqrt(square);
   }
-  series_.push_back({&train, orders, std::move(first), {}});
+  return first;
+}
+
+/// The first two thirds belong to the first level, so that the next one tells what they miss.
+Eigen::MatrixXd InterfaceSpace::loads_of_level() const {
+  const Eigen::Index all = of_loads_.cols(), first = level_ == 0 ? 0 : 2 * all / 3;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(system_.size(), level_ == 0 ? 2 * all / 3 : all - first);
+  columns.topRows(of_loads_.rows()) = of_loads_.middleCols(first, columns.cols());
+  return columns;
 }
 
 void InterfaceSpace::take_level() {
   std::vector<Eigen::MatrixXd> columns;
-  for (Series& series : series_) {
-    if (level_ == 0) columns.push_back(series.now);
-    for (; series.order < series.orders[level_]; ++series.order) {
-      Eigen::MatrixXd next = series.train->next(series.now, series.before);
+  if (of_loads_.size() > 0 && level_ < 2) columns.push_back(loads_of_level());
+  for (MomentSeries& series : series_)
+    for (; series.done < series.orders[level_]; ++series.done) {
+      Eigen::MatrixXd next = series.done > 0   ? series.train->next(series.now, series.before)
+                             : series.of_loads ? normalised(series.train->answer(series.start))
+                                               : normalised(series.train->follow(series.start));
       series.before = std::exchange(series.now, std::move(next));
       columns.push_back(series.now);
     }
-  }
   add(bases_.displacements, columns);
   add(bases_.phi, columns);
 }
@@ -210,74 +210,81 @@ void InterfaceSpace::add(FieldBasis& basis, const std::vector<Eigen::MatrixXd>& 
 void InterfaceSpace::extend() {
   ++level_;
   take_level();
-  if (projection_) {
+  const Eigen::Index first_u = projection_ ? n_projected_[0] : 0, first_phi = projection_ ? n_projected_[1] : 0;
+  if (projection_)
     projection_->extend();
-    if (radiating_) radiating_->extend();
-    return;
+  else
+    projection_ = std::make_unique<Projection>(system_, bases_.displacements, bases_.phi, shift_);
+  const Eigen::Index r = projection_->reduced().size(), m = system_.n_prescribed;
+  for (Eigen::MatrixXd* A : {&coupling_.M, &coupling_.C, &coupling_.K}) A->conservativeResize(r, m);
+  for (const auto& [basis, first] : {std::pair{&bases_.displacements, first_u}, {&bases_.phi, first_phi}}) {
+    const OfMatrices added = carried_.with(*basis, first);
+    for (Eigen::Index j = first; j < basis->n(); ++j) {
+      const int row = basis->coordinate[static_cast<std::size_t>(j)];
+      coupling_.M.row(row) = added.M.row(j - first);
+      coupling_.C.row(row) = added.C.row(j - first);
+      coupling_.K.row(row) = added.K.row(j - first);
+    }
   }
-  projection_ = std::make_unique<Projection>(system_, bases_.displacements, bases_.phi, shift_);
-  if (system_.radiation.nonZeros() == 0) return;
-  radiation_.C = system_.radiation;
-  radiation_.M = radiation_.K = SparseMatrix(system_.size(), system_.size());
-  radiation_.field = system_.field;
-  radiation_.n_prescribed = system_.n_prescribed;
-  radiating_ = std::make_unique<Projection>(radiation_, bases_.displacements, bases_.phi, shift_);
+  n_projected_[0] = bases_.displacements.n();
+  n_projected_[1] = bases_.phi.n();
 }
 
 namespace {
 
-/// Coordinates of the reduced system, the prescribed ones last.
-std::vector<int> order_of(const ReducedSystem& reduced) {
-  std::vector<int> order;
-  for (int i = reduced.n_prescribed; i < reduced.size(); ++i) order.push_back(i);
-  for (int i = 0; i < reduced.n_prescribed; ++i) order.push_back(i);
-  return order;
-}
-
-SparseMatrix in_order(const Eigen::MatrixXd& A, const std::vector<int>& order) {
-  SparseMatrix sparse = A(order, order).eval().sparseView();
-  sparse.makeCompressed();
-  return sparse;
-}
-
-/// x, x' and x'' of all coordinates.
-std::vector<Reading> coordinate_readings(int n) {
-  std::vector<Reading> readings;
-  for (int i = 0; i < n; ++i) readings.push_back(position_reading({"interface", i, "x"}, "", "", {{i, 1.}}));
-  for (int i = 0; i < n; ++i) readings.push_back(velocity_reading({"interface", i, "v"}, "", "", {{i, 1.}}));
-  for (int i = 0; i < n; ++i) readings.push_back(acceleration_reading({"interface", i, "a"}, "", "", {{i, 1.}}));
-  return readings;
+/// Orthonormal coordinates of both kinds apart in which K is diagonal.
+Eigen::MatrixXd with_diagonal(const ReducedSystem& reduced) {
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(reduced.size(), reduced.size());
+  for (const bool is_phi : {false, true}) {
+    std::vector<int> list;
+    for (int i = 0; i < reduced.size(); ++i)
+      if (reduced.is_phi[static_cast<std::size_t>(i)] == is_phi) list.push_back(i);
+    if (list.empty()) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(reduced.K(list, list));
+    Z(list, list) = modes.eigenvectors();
+  }
+  return Z;
 }
 
 }  // namespace
 
 InterfaceModel InterfaceSpace::model() const {
   const ReducedSystem& reduced = projection_->reduced();
-  const std::vector<int> order = order_of(reduced);
+  const Eigen::MatrixXd Z = with_diagonal(reduced);
+  const Eigen::Index r = reduced.size(), m = system_.n_prescribed;
+  const auto turned = [&](const OfMatrices& A, bool twice) -> OfMatrices {
+    const auto turn = [&](const Eigen::MatrixXd& one) { return transposed_product(Z, twice ? product(one, Z) : one); };
+    return {turn(A.M), turn(A.C), turn(A.K)};
+  };
+  const auto rows = [&](const Eigen::MatrixXd& of_free, Row Reading::*part) {
+    Eigen::MatrixXd all(of_free.rows(), r + m);
+    all << product(of_free, Z), carried_.read(system_.readings, part);
+    return all;
+  };
   InterfaceModel model{{},
-                       reduced.position(Eigen::all, order),
-                       reduced.velocity(Eigen::all, order),
-                       reduced.acceleration(Eigen::all, order),
+                       {turned({reduced.M, reduced.C, reduced.K}, true), turned(coupling_, false), carried_.matrices(),
+                        fast_share * shift_},
+                       rows(reduced.position, &Reading::position),
+                       rows(reduced.velocity, &Reading::velocity),
+                       rows(reduced.acceleration, &Reading::acceleration),
                        reduced.feedthrough,
                        bases_.displacements,
-                       bases_.phi};
+                       bases_.phi,
+                       carried_,
+                       Z};
   System& system = model.system;
-  system.M = in_order(reduced.M, order);
-  system.C = in_order(reduced.C, order);
-  system.K = in_order(reduced.K, order);
-  if (radiating_) system.radiation = in_order(radiating_->reduced().C, order);
-  std::vector<int> place(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    const bool is_phi = reduced.is_phi[static_cast<std::size_t>(order[i])];
-    system.field.push_back(is_phi ? Field::pressure_impulse : Field::displacement);
-  }
-  for (FieldBasis* basis : {&model.displacements, &model.phi})
-    for (int& coordinate : basis->coordinate) coordinate = place[static_cast<std::size_t>(coordinate)];
+  system.M = system.C = system.K = SparseMatrix(r + m, r + m);
+  system.field.assign(static_cast<std::size_t>(r + m), Field::displacement);
+  for (Eigen::Index i = 0; i < r; ++i)
+    if (reduced.is_phi[static_cast<std::size_t>(i)])
+      system.field[static_cast<std::size_t>(i)] = Field::pressure_impulse;
   system.loads = system_.loads;
-  for (std::size_t k = 0; k < system.loads.size(); ++k)
-    system.loads[k].vector = reduced.load.col(static_cast<Eigen::Index>(k))(order);
-  system.readings = coordinate_readings(reduced.size());
+  for (std::size_t k = 0; k < system.loads.size(); ++k) {
+    Vector along(r + m);
+    along << transposed_product(Z, reduced.load.col(static_cast<Eigen::Index>(k))),
+        carried_.along(system_.loads[k].vector);
+    system.loads[k].vector = along;
+  }
   system.n_prescribed = system_.n_prescribed;
   system.interface = system_.interface;
   system.frame_damping = system_.frame_damping;
@@ -285,37 +292,44 @@ InterfaceModel InterfaceSpace::model() const {
   return model;
 }
 
-Response InterfaceModel::read(Response response) const {
-  const auto n = static_cast<Eigen::Index>(system.size());
-  for (Series* series : {&response.ends, &response.balanced, &response.inside}) {
-    const Eigen::MatrixXd& all = series->reading;
-    if (all.cols() == 0) {
-      series->reading.resize(position.rows(), 0);
-      continue;
-    }
-    Eigen::MatrixXd reading = product(position, all.topRows(n)) + product(velocity, all.middleRows(n, n)) +
-                              product(acceleration, all.bottomRows(n));
-    if (feedthrough.cols() > 0) reading += feedthrough * series->load;
-    series->reading = std::move(reading);
-  }
+void Motions::see(const State& state, int step, int) {
+  if (step == 0) *this = {};
+  n_ = state.x.size();
+  x_.insert(x_.end(), state.x.begin(), state.x.end());
+  v_.insert(v_.end(), state.v.begin(), state.v.end());
+  a_.insert(a_.end(), state.a.begin(), state.a.end());
+}
+
+Eigen::Map<const Eigen::MatrixXd> Motions::columns(const std::vector<double>& values) const {
+  return {values.data(), n_, static_cast<Eigen::Index>(values.size()) / std::max<Eigen::Index>(n_, 1)};
+}
+
+/// The steps of contact satisfy the equation of motion at their ends.
+Response InterfaceModel::read(Response response, const Motions& motions) const {
+  Series& ends = response.ends;
+  ends.reading = product(position, motions.x()) + product(velocity, motions.v()) + product(acceleration, motions.a());
+  if (feedthrough.cols() > 0) ends.reading += product(feedthrough, ends.load);
+  response.balanced = ends;
+  response.inside.reading.resize(position.rows(), 0);
   return response;
 }
 
-State InterfaceModel::whole(const State& state, bool only_phi) const {
+Eigen::MatrixXd InterfaceModel::pressures(const Motions& motions) const {
+  return product(to_bases(phi.coordinate, Eigen::all), motions.v().topRows(to_bases.cols()));
+}
+
+State InterfaceModel::whole(const State& state) const {
   const auto n = static_cast<Eigen::Index>(displacements.unknown.size() + phi.unknown.size());
-  State out{state.time, Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
-  const auto lift = [](const FieldBasis& basis, const Vector& from, Vector& to) {
-    if (basis.unknown.empty()) return;
-    const Vector q = from(basis.coordinate);
-    to(basis.unknown) = Vector(product(basis.columns(), q)).cwiseProduct(basis.unit);
+  const auto lifted = [&](const Vector& from) -> Vector {
+    Vector to = Vector::Zero(n);
+    const Vector q = product(to_bases, from.head(to_bases.cols()));
+    for (const FieldBasis* basis : {&displacements, &phi})
+      if (!basis->unknown.empty())
+        to(basis->unknown) = Vector(product(basis->columns(), q(basis->coordinate).eval())).cwiseProduct(basis->unit);
+    carried.add_to(from.tail(from.size() - to_bases.cols()), to);
+    return to;
   };
-  for (const FieldBasis* basis : {&phi, &displacements}) {
-    if (only_phi && basis == &displacements) continue;
-    lift(*basis, state.x, out.x);
-    lift(*basis, state.v, out.v);
-    lift(*basis, state.a, out.a);
-  }
-  return out;
+  return {state.time, lifted(state.x), lifted(state.v), lifted(state.a)};
 }
 
 }  // namespace upbead

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "algebra/factorisation.h"
+#include "dynamics/carried_motions.h"
+#include "dynamics/ground_matrices.h"
 #include "dynamics/projection.h"
 #include "upbead/dynamics/krylov.h"
 #include "upbead/dynamics/march.h"
@@ -27,6 +29,7 @@ class MomentTrain {
   /// The next moments of all columns; `before` is empty after r_0.
   Eigen::MatrixXd next(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before);
   int n_solves() const { return n_solves_; }
+  const SparseMatrix& matrix() const { return T_; }
 
  private:
   Eigen::MatrixXd solved(const Eigen::MatrixXd& rhs);
@@ -37,28 +40,52 @@ class MomentTrain {
   int n_solves_ = 0;
 };
 
-/// A system of few coordinates, with its interface; x, x' and x'' of its coordinates are its readings.
+/// Keeps what a march of few coordinates goes through: x, x' and x'', a column a step.
+class Motions : public MarchObserver {
+ public:
+  void see(const State& state, int step, int n_steps) override;
+  Eigen::Map<const Eigen::MatrixXd> x() const { return columns(x_); }
+  Eigen::Map<const Eigen::MatrixXd> v() const { return columns(v_); }
+  Eigen::Map<const Eigen::MatrixXd> a() const { return columns(a_); }
+
+ private:
+  Eigen::Map<const Eigen::MatrixXd> columns(const std::vector<double>& values) const;
+
+  Eigen::Index n_ = 0;
+  std::vector<double> x_, v_, a_;
+};
+
+/// A system of few coordinates, with its interface; it has no matrices but those of `ground`, and no readings. Of use
+/// as long as its space is not extended.
 struct InterfaceModel {
   System system;
+  GroundMatrices ground;
   Eigen::MatrixXd position, velocity, acceleration, feedthrough;  ///< of the readings of the whole system
-  FieldBasis displacements, phi;                                  ///< numbered as the coordinates of `system`
+  const FieldBasis &displacements, &phi;
+  const CarriedMotions& carried;
+  Eigen::MatrixXd to_bases;  ///< coordinates of the bases from the free ones of the system
 
-  /// The response of the whole system's readings.
-  Response read(Response response) const;
-  /// The whole state; `only_phi`: all else stays 0.
-  State whole(const State& state, bool only_phi) const;
+  /// The response of the whole system's readings, from a march that these motions are of.
+  Response read(Response response, const Motions& motions) const;
+  /// Of the coordinates of phi, a row for each column of its basis.
+  Eigen::MatrixXd pressures(const Motions& motions) const;
+  /// The whole state.
+  State whole(const State& state) const;
 };
 
 /// Component mode synthesis [Craig and Bampton 1968] of a System whose interface is all that is not linear. u with W
 /// and phi have directions of their own, so that the signs of M, C and K are kept; coordinates of rigid bodies are kept
-/// as they are, so that forces on them balance to round-off. A motion of a node of the interface carries with it what
-/// the ground does in its neighbourhood: the answer at four times the shift to its part of high degree along the
-/// interface. Motions of low degree, and the loads, have as many moments as the level says, about two shifts; of these
-/// the directions that count, by proper orthogonal decomposition, belong to the coordinates. Levels are nested.
+/// as they are, so that forces on them balance to round-off. Motions of the nodes carry with them what the ground does
+/// near them, see CarriedMotions. Motions of low degree, of more degrees at each level, and the loads have as many
+/// moments as the level says, about two shifts; of these the directions that count, by proper orthogonal decomposition,
+/// belong to the coordinates. Levels are nested.
 class InterfaceSpace {
  public:
   /// `shift`: as of a Krylov space of the loads; `exact`, `kept`: see SecondOrderKrylov. The system must outlive it.
-  InterfaceSpace(const System& system, double shift, const std::vector<int>& exact, const std::vector<Vector>& kept);
+  /// `of_loads`: directions of the free unknowns in which these answer the loads, the first ones foremost, a column
+  /// each; empty: moments of the loads are made.
+  InterfaceSpace(const System& system, double shift, const std::vector<int>& exact, const std::vector<Vector>& kept,
+                 Eigen::MatrixXd of_loads = {});
   ~InterfaceSpace();
 
   static constexpr int n_levels = 3;
@@ -69,29 +96,32 @@ class InterfaceSpace {
   int n_solves() const;
 
  private:
-  struct Series {
+  struct MomentSeries {
     MomentTrain* train;
     const int* orders;  ///< moments at each level
-    Eigen::MatrixXd now, before;
-    int order = 1;  ///< moments that are made
+    bool of_loads;
+    Eigen::MatrixXd start, now, before;  ///< loads or motions, and their latest moments
+    int done;
   };
 
-  void start_motions();
-  void start_loads();
-  void carry(const Eigen::MatrixXd& local);
-  void begin(MomentTrain& train, const int* orders, Eigen::MatrixXd first);
+  void start();
+  Eigen::MatrixXd loads_of_level() const;
+  Eigen::MatrixXd normalised(Eigen::MatrixXd first) const;
   void take_level();
   void add(FieldBasis& basis, const std::vector<Eigen::MatrixXd>& columns);
 
   const System& system_;
   double shift_;
-  std::vector<bool> own_;  ///< unknowns that are coordinates themselves
-  FieldBases bases_;
+  std::vector<bool> own_;
+  Eigen::MatrixXd of_loads_;
+  FieldBases bases_;  ///< of all but the motions of the interface
   Eigen::Index n_own_[2];
   MomentTrain slow_, fast_;
-  std::vector<Series> series_;
-  std::unique_ptr<Projection> projection_, radiating_;
-  System radiation_;
+  CarriedMotions carried_;
+  std::vector<MomentSeries> series_;
+  std::unique_ptr<Projection> projection_;
+  OfMatrices coupling_;  ///< of the bases' coordinates with the motions of the interface
+  Eigen::Index n_projected_[2] = {0, 0};
   int level_ = -1;
 };
 

@@ -38,7 +38,7 @@ void trim(Series& series) {
   series.load.conservativeResize(Eigen::NoChange, n);
 }
 
-int n_inside(int n_steps) {
+int n_in_steps(int n_steps) {
   return n_steps * static_cast<int>(inside_places.size());
 }
 
@@ -97,7 +97,7 @@ class Recorder {
     response_.ends = empty_series(system, n_steps + 1);
     response_.balanced = empty_series(system, n_steps + 1);
     if (scheme.order() >= 4) interior_.emplace(system);
-    response_.inside = empty_series(system, interior_ ? n_inside(n_steps) : 0);
+    response_.inside = empty_series(system, interior_ ? n_in_steps(n_steps) : 0);
   }
   void add(const State& state) {
     check_finite(state);
@@ -147,7 +147,8 @@ void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_
     return series.time.size() == n && series.reading.rows() == static_cast<Eigen::Index>(system.readings.size()) &&
            series.load.rows() == static_cast<Eigen::Index>(system.loads.size());
   };
-  const std::size_t n = so_far.ends.time.size(), n_within = has_inside && n > 0 ? n_inside(static_cast<int>(n) - 1) : 0;
+  const std::size_t n = so_far.ends.time.size(),
+                    n_within = has_inside && n > 0 ? n_in_steps(static_cast<int>(n) - 1) : 0;
   const bool fit = fits(so_far.ends, n) && fits(so_far.balanced, n) && fits(so_far.inside, n_within) &&
                    so_far.n_steps >= 0 && so_far.n_steps <= n_steps &&
                    so_far.final_state.x.size() == whole_size(system) &&

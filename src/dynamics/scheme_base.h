@@ -42,7 +42,7 @@ class SchemeBase : public Scheme {
   }
   /// A step of `dirk` as this scheme's own: its end satisfies the equation of motion.
   void advance_by(Dirk& dirk, State& state, double h) {
-    dirk.step(state, h, state.time + 0.5 * h, matrices_, meter());
+    dirk.step(state, h, state.time + 0.5 * h, matrices_, meter(), nullptr);
     n_solves_ += dirk.n_stages();
     end_load_ = dirk.load();
     balanced_ = {state, end_load_};

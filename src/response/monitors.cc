@@ -270,13 +270,19 @@ void LeastPressure::see(const PressureModel& model, const SampledLoads& loads, d
   if (!watches()) return;
   const Series series = respond(model.model, loads);
   const std::vector<Eigen::Index> looks = looks_at(series.time, duration);
-  const Eigen::MatrixXd rows = rows_of_basis(rows_, model.basis);
-  constexpr std::size_t together = 16;  // so that what is looked at stays in the cache
-  for (std::size_t first = 0; first < looks.size(); first += together) {
-    const std::vector<Eigen::Index> some = part_of(looks, first, together);
-    const Eigen::MatrixXd excess = product(rows, series.reading(Eigen::all, some).eval());
-    for (std::size_t i = 0; i < some.size(); ++i)
-      take(excess.col(static_cast<Eigen::Index>(i)), series.time[static_cast<std::size_t>(some[i])]);
+  std::vector<double> times;
+  for (const Eigen::Index look : looks) times.push_back(series.time[static_cast<std::size_t>(look)]);
+  see(model.basis, series.reading(Eigen::all, looks), times);
+}
+
+void LeastPressure::see(const FieldBasis& basis, const Eigen::MatrixXd& velocities, const std::vector<double>& times) {
+  if (!watches()) return;
+  const Eigen::MatrixXd rows = rows_of_basis(rows_, basis);
+  constexpr Eigen::Index together = 16;  // so that what is looked at stays in the cache
+  for (Eigen::Index first = 0; first < velocities.cols(); first += together) {
+    const Eigen::MatrixXd excess =
+        product(rows, velocities.middleCols(first, std::min(together, velocities.cols() - first)));
+    for (Eigen::Index i = 0; i < excess.cols(); ++i) take(excess.col(i), times[static_cast<std::size_t>(first + i)]);
   }
 }
 

@@ -110,6 +110,8 @@ class LeastPressure : public MarchObserver {
   bool wants(double) const override { return false; }
   /// Evaluates the response of a reduced model to these loads, at about 16 times in `duration` (s).
   void see(const PressureModel& model, const SampledLoads& loads, double duration);
+  /// The same of velocities of a basis' coordinates, a row for each of its columns, at these times.
+  void see(const FieldBasis& basis, const Eigen::MatrixXd& velocities, const std::vector<double>& times);
 
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;

@@ -128,8 +128,8 @@ void expect_told(const upbead::Run& march, const upbead::Run& reduced, const Con
 }
 
 TEST_F(ContactRun, OnAReducedGroundIsThatOfTheWholeOne) {
-  const Solved whole = solve({"loads.impulse.factor=6", friction}),
-               reduced = solve({"loads.impulse.factor=6", friction, "time.scheme=\"reduced\""});
+  const Solved whole = solve({"loads.impulse.factor=4", friction}),
+               reduced = solve({"loads.impulse.factor=4", friction, "time.scheme=\"reduced\""});
   const NodeContact &a = *whole.run.summary.contact->solved, &b = *reduced.run.summary.contact->solved;
   ASSERT_FALSE(a.ground);
   ASSERT_TRUE(b.ground);

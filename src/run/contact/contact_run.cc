@@ -189,8 +189,8 @@ Solution march_yielding_contact(const Simulation& simulation, const Marching& ma
   return run_yielding(simulation, marching, nodes);
 }
 
-Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way) {
-  if (way.reduced) return contact_on_reduced_ground(simulation, marching);
+Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way, const BasisRoom* room) {
+  if (way.reduced) return contact_on_reduced_ground(simulation, marching, room);
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.system(), true, way.refined);
   ContactRecorder recorder(simulation.system(), *scheme);
   Marching options = marching;
@@ -264,6 +264,7 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
                        contact_demand(system, uplift, before.response, margin),
                        {}};
   before = without_node_forces(std::move(before), n_nodes, tied->system);
+  const std::shared_ptr<BasisRoom> room = before.simulation ? before.simulation->room() : nullptr;
   before.simulation = std::make_shared<const Simulation>(bonded);
   before.ladder = joined(at_rest, before.ladder);
   add_loads(uplift, system);
@@ -276,7 +277,9 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
   Marching unkept = marching;
   unkept.checkpoints = {};
-  const auto solve = [&](const Way& way, const Marching& options) { return march_contact(*moving, options, way); };
+  const auto solve = [&](const Way& way, const Marching& options) {
+    return march_contact(*moving, options, way, room.get());
+  };
   Solution solved =
       soil_yields ? march_yielding_contact(*moving, unkept) : climb(*moving, contact_ways(*moving), unkept, solve);
   solved.simulation = moving;

@@ -28,27 +28,24 @@ namespace {
 /// Differences of nested models, which are about the error of the smaller one, count so many times: see
 /// docs/reference/methods.md. Of S and of the peak, in which two models may agree by chance, at least this share of the
 /// largest difference of F_T at any time is told.
-constexpr double margin = 3., least_share = 0.25;
+constexpr double margin = 5., least_share = 0.25;
 /// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
 constexpr double of_history = 10.;
 /// Of the largest reading of its unit: a reading below is zero.
 constexpr double round_off = 1e-6;
 
-/// Shows an observer what the coordinates of a model say of the whole state where it wants states; or of its phi alone,
-/// always: the coordinates themselves would say nothing to it.
+/// Shows an observer what the coordinates of a model say of the whole state, where it wants states.
 class OfWhole : public MarchObserver {
  public:
-  OfWhole(const InterfaceModel& model, MarchObserver& observer, bool only_phi)
-      : model_(model), observer_(observer), only_phi_(only_phi) {}
+  OfWhole(const InterfaceModel& model, MarchObserver& observer) : model_(model), observer_(observer) {}
   void see(const State& state, int step, int n_steps) override {
-    observer_.see(only_phi_ || observer_.wants(state.time) ? model_.whole(state, only_phi_) : state, step, n_steps);
+    observer_.see(observer_.wants(state.time) ? model_.whole(state) : state, step, n_steps);
   }
   bool wants(double time) const override { return observer_.wants(time); }
 
  private:
   const InterfaceModel& model_;
   MarchObserver& observer_;
-  bool only_phi_;
 };
 
 /// What one model answers.
@@ -58,15 +55,15 @@ struct ContactAnswer {
 };
 
 ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& model, const Marching& marching) {
-  const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system);
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system, model.ground);
   ContactRecorder recorder(model.system, *scheme);
   const auto monitors = std::make_shared<Monitors>(simulation);
   std::list<OfWhole> others;
-  for (MarchObserver* observer : marching.observers) others.emplace_back(model, *observer, false);
-  if (monitors->pressure) others.emplace_back(model, *monitors->pressure, true);
+  for (MarchObserver* observer : marching.observers) others.emplace_back(model, *observer);
+  Motions motions;
   Marching options = marching;
   options.monitored = false;
-  options.observers = {&recorder};
+  options.observers = {&recorder, &motions};
   for (OfWhole& observer : others) options.observers.push_back(&observer);
   ContactAnswer answer{march_by(*scheme, simulation,
                                 "bonded, the caisson would slip or lift at some node; the ground is "
@@ -74,8 +71,9 @@ ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& mode
                                 options, 1., &model.system),
                        0.};
   Solution& solution = answer.solution;
-  solution.response = model.read(std::move(solution.response));
-  solution.response.final_state = model.whole(solution.response.final_state, false);
+  solution.response = model.read(std::move(solution.response), motions);
+  solution.response.final_state = model.whole(solution.response.final_state);
+  if (monitors->pressure) monitors->pressure->see(model.phi, model.pressures(motions), solution.response.ends.time);
   if (const std::optional<Mismatch> off = imbalance(simulation, solution)) throw NumericsError(Imbalance(*off).what());
   solution.contact = followed_by(recorder);
   solution.contact->found.solved->dissipated = solution.response.energy.back().friction;
@@ -157,6 +155,18 @@ bool meets(const ContactGround& error, const ContactAnswer& answer, double toler
   return error.peak_shear <= tolerance && error.slip <= tolerance * slip && error.history <= of_history * tolerance;
 }
 
+/// Directions of the bonded caisson's model, in the order in which they came; none where it has no basis.
+Eigen::MatrixXd directions_of(const GrowingBasis* basis) {
+  if (basis == nullptr) return {};
+  const FieldBasis &u = basis->krylov().displacements(), &phi = basis->krylov().phi();
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(u.unknown.size() + phi.unknown.size()),
+                                                  basis->krylov().n_coordinates());
+  for (const FieldBasis* of : {&u, &phi})
+    for (Eigen::Index j = 0; j < of->n(); ++j)
+      columns(of->unknown, of->coordinate[static_cast<std::size_t>(j)]) = of->unit.cwiseProduct(of->vectors.col(j));
+  return columns;
+}
+
 }  // namespace
 
 std::string why_ground_is_whole(const Simulation& simulation) {
@@ -180,12 +190,13 @@ bool reduces_ground(const Simulation& simulation) {
   return simulation.scene().time.scheme == TimeScheme::reduced && why_ground_is_whole(simulation).empty();
 }
 
-Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching) {
+Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching, const BasisRoom* room) {
   const Stopwatch watch;
   const CompiledScene& compiled = *simulation.compiled();
   const double tolerance = whole_tolerance(simulation);
-  InterfaceSpace space(compiled.system, krylov_shift(simulation.scene()), compiled.body_coordinates,
-                       compiled.caisson_motions);
+  const double shift = krylov_shift(simulation.scene());
+  InterfaceSpace space(compiled.system, shift, compiled.body_coordinates, compiled.caisson_motions,
+                       directions_of(room ? room->basis_about(shift, compiled.body_coordinates).get() : nullptr));
   std::optional<ContactAnswer> before;
   ContactGround error;
   for (int level = 0; level < InterfaceSpace::n_levels; ++level) {

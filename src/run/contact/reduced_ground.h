@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "dynamics/basis.h"
 #include "run/solve.h"
 
 namespace upbead {
@@ -16,6 +17,7 @@ std::string why_ground_is_whole(const Simulation& simulation);
 /// Marches contact with nested models of the ground, until S, peak F_T and F_T(t) of two of them agree. The system has
 /// an interface with friction and forces at rest. Throws NumericsError where they do not come close enough, or where a
 /// model does not balance.
-Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching);
+/// `room`: with the basis of the bonded caisson's model, if there is one; may be null.
+Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching, const BasisRoom* room);
 
 }  // namespace upbead
