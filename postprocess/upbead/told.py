@@ -42,7 +42,7 @@ def fails(check: Mapping[str, Any]) -> bool:
 
 
 def is_judged(check: Mapping[str, Any]) -> bool:
-    return check.get("holds") is not None or check.get("failing") is not None
+    return check.get("holds") is not None or (check.get("failing") or 0) > 0
 
 
 def check_text(check: Mapping[str, Any]) -> str:

@@ -218,10 +218,14 @@ class Judged(unittest.TestCase):
         self.assertEqual(failing, sorted(failing))
 
     def test_a_study_tells_in_how_many_runs_a_check_fails(self):
-        check = {"name": "sliding distance", "failing": 4, "first_run": 1, "text": "sliding distance: 0.2 m against 0.1 m: DOES NOT HOLD"}
+        check = {"name": "sliding distance", "failing": 4, "judged": 6, "first_run": 1, "worst_run": 3, "text": "sliding distance: 0.2 m against 0.1 m: DOES NOT HOLD"}
         for language, words in (("en", "in some of 6 runs: sliding distance in 4."), ("ja", "6ケースの一部で満足しない照査：滑動量（4ケース）")):
             with speaking(language):
                 self.assertIn(words, visible(str(judged.verdict({"runs": 6, "checks": [check]}))))
+
+    def test_a_check_that_no_run_judged_does_not_hold(self):
+        check = {"name": "sliding distance", "failing": 0, "judged": 0, "holds": None, "why_not": "it still slides", "capacity": 0.3}
+        self.assertNotIn("all hold", visible(str(judged.verdict({"runs": 3, "checks": [check]}))))
 
     def test_what_fails_by_little_does_not_look_like_its_limit(self):
         check = {"name": "sliding distance", "unit": "m", "demand": 0.0277384, "capacity": 0.0277383, "margin": 0.99999968, "holds": False}

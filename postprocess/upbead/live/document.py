@@ -130,8 +130,8 @@ def document(model=None, design=None, summaries=()):
     """The page; `summaries` are those of the program for what it was made of: their failing checks and warnings stand
     first."""
     title = (design or model)["title"] or "Reduced model"
-    if model and not (summaries and summaries[0]):  # else a run of the same scene has told them
-        summaries = [of_scene(model), *summaries[1:]]
+    if model and not any(summary and "response" in summary for summary in summaries):  # else a run of the same scene has told them
+        summaries = [of_scene(model), *(summary for summary in summaries if summary)]
     before = judged_by(summaries)
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1

@@ -69,7 +69,7 @@ def checked(summary):
     failed = [check for check in asked if told.fails(check)]
     if not asked:
         return say("No check has a limit.") if checks else ""
-    if failed and all("failing" in check for check in failed):
+    if failed and all("worst_run" in check for check in failed):
         return tag("strong", in_runs(failed, summary), class_="fails")
     if failed:
         names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))

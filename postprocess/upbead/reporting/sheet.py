@@ -34,7 +34,7 @@ def row(check):
     basis = join([tag("code", check["measure"]) if check.get("measure") else "", prose("; " + stands_on) if stands_on else ""])
     digits = digits_between(check.get("demand"), check.get("capacity"))
     capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit, digits=digits)
-    demand = quantity(check["demand"], unit, digits=digits) if check.get("demand") is not None else "" if check.get("why_not") else say("without bound")
+    demand = quantity(check["demand"], unit, digits=digits) if check.get("demand") is not None else "" if check.get("why_not") or is_bare(check) else say("without bound")
     if check.get("probability") is not None:
         demand = join([demand, " (P ", plain(check["probability"], 3), ")"])
     return name_of(check), demand, capacity, "" if margin is None else plain(margin, digits_between(margin, 1.0, 3)), result(check), basis
@@ -55,9 +55,14 @@ def result(check):
     return say("holds") if told_of.is_judged(check) else say("no limit given")
 
 
+def is_bare(check):
+    """Whether it is of a study of an older version, whose checks have no numbers."""
+    return "failing" in check and "worst_run" not in check
+
+
 def in_runs(check):
     """Of a study: in how many runs, and in which it is worst, whose numbers these are."""
-    if "failing" not in check:
+    if "worst_run" not in check:  # studies of older versions told the first run that fails, without its numbers
         return []
     return [" ", phrase("in {failing} of {judged} runs, worst in run {run}", failing=check["failing"], judged=check["judged"], run=check["worst_run"])]
 
