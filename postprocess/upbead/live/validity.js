@@ -27,6 +27,8 @@ function ofWave(section, water, wave, p) {
       `give a height of at most ${metresOf(limit)}, or check period and water_depth`],
     ["significant_height", wave.significant >= H, `H_1/3 = ${metresOf(wave.significant)} is not below H = ${metresOf(H)}, which is to be the highest wave`,
       "check height and significant_height (H mostly is 1.8 H_1/3)"],
+    ["significant_height", wave.significant < H / 4, `H_1/3 = ${metresOf(wave.significant)} is less than a quarter of H = ${metresOf(H)}: no sea has so high a wave, and P is found too near the wall`,
+      "check height and significant_height (H mostly is 1.8 H_1/3)"],
     ["long_period", wave.period > 30, `T = ${digits(wave.period, 4)} s is longer than 30 s, where the tests end`,
       "check the period, or compare with tests of so long waves"],
   ];
