@@ -105,7 +105,7 @@ Summary full_summary() {
   s.base.emplace();
   s.harbour.emplace();
   s.verdict.emplace();
-  s.waves.back().standing.answer.emplace(StandingAnswer{0., 0., {}, {}, {}, StandingWave({1., 8., 10.}, {})});
+  s.waves.back().standing.answer.emplace(StandingAnswer{0., 0., {}, {}, {}, StandingWave({8., 1., 10.}, {})});
   s.waves.back().standing.bound.emplace();
   s.waves.back().impact.emplace();
   s.periods = {{}};

@@ -98,7 +98,7 @@ TEST(Block, SlidesSeveralTimesAndBothWays) {
 }
 
 TEST(Block, TellsTheVelocityWithWhichItsForcesLeaveIt) {
-  EXPECT_EQ(slide(2., {{0., 1., 4.}, {3., 3., 0.}}, 1.).end_velocity, 0.) << "it has come to rest";
+  EXPECT_EQ(slide(2., {{0., 1., 4., 8.}, {3., 3., 0., 0.}}, 1.).end_velocity, 0.) << "it has come to rest";
   EXPECT_NEAR(slide(2., {{0., 3.}, {3., 3.}}, 1.).end_velocity, 3., 1e-14);
   EXPECT_NEAR(slide(2., {{0., 3.}, {-3., -3.}}, 1.).end_velocity, -3., 1e-14);
 }

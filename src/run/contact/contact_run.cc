@@ -238,6 +238,17 @@ void check_at_rest(const Simulation& simulation) {
                      "move its centre of gravity, or bond it: interface = { kind = \"bonded\" }");
 }
 
+namespace {
+
+/// A reduced ground has errors of its own: where the bonded caisson has none of few modes, it is marched.
+Simulation with_tied(const Simulation& simulation, const std::shared_ptr<CompiledScene>& tied) {
+  const Simulation bonded = with_system(simulation, tied);
+  if (simulation.scene().time.scheme != TimeScheme::reduced) return bonded;
+  return bonded.with([](auto& parts) { parts.scene.time.scheme = TimeScheme::automatic; });
+}
+
+}  // namespace
+
 Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled());
   System& system = sliding->system;
@@ -246,10 +257,7 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = bonded(system, true);
-  Simulation bonded = with_system(simulation, tied);
-  // a reduced ground has errors of its own: where the bonded caisson has none of few modes, it is marched
-  if (simulation.scene().time.scheme == TimeScheme::reduced)
-    bonded = bonded.with([](auto& parts) { parts.scene.time.scheme = TimeScheme::automatic; });
+  const Simulation bonded = with_tied(simulation, tied);
   ObserverFunction reported = progress_observer(marching.beside);
   Marching silent;
   silent.observers = {&reported};
