@@ -48,11 +48,12 @@ NumberedWarnings warnings_of_no_load(const Case& input) {
   if (input.sources.empty()) return {};
   for (const auto& [name, source] : input.sources)
     if (source->acts()) return {};
-  const std::string uplift = input.scene.sliding && input.scene.sliding->uplift && input.scene.sliding->uplift->peak
-                                 ? ", nor does the uplift, which follows P"
-                                 : "";
+  const std::optional<UpliftChoice> uplift = input.scene.sliding ? input.scene.sliding->uplift : std::nullopt;
+  const std::string what = !uplift || uplift->kind == UpliftKind::computed ? "nothing acts"
+                           : uplift->peak ? "nothing acts, nor does the uplift, which follows P"
+                                          : "nothing acts but the uplift";
   return {{"load_zero", 0., input.scene.time.end, "s",
-           "every load is switched off (factor = 0): nothing acts" + uplift +
+           "every load is switched off (factor = 0): " + what +
                ", and what is told of motion, S and pressures is of the section at rest",
            "give a load a factor that is not 0"}};
 }

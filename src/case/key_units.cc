@@ -45,7 +45,6 @@ const std::vector<KeyQuantity>& key_quantities() {
       {"section.berm_width", &q::depth},
       {"section.harbour_level", &q::level},
       {"section.bed_slope", &q::bed_slope},
-      {"section.harbour_level", &q::level},
       {"section.friction", &q::friction},
       {"waves.*.height", &q::wave_height},
       {"waves.*.significant_height", &q::wave_height},

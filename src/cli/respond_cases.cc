@@ -75,7 +75,7 @@ WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
     throw InputError(input.place("loads"), "the case has no load of the model: " + join(model.modes.load_name),
                      "name a load as in the case that was reduced");
   WaveFile wave = as_wave(input.stem, sampled_loads(simulation.scene(), system), rows);
-  wave.notes.warnings = warnings_of_case(input, simulation).loads;
+  append(wave.notes.warnings, warnings_of_case(input, simulation).loads);
   return wave;
 }
 

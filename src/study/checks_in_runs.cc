@@ -20,6 +20,10 @@ bool fails(const Check& check) {
   return check.holds && !*check.holds;
 }
 
+bool is_same(const Check& a, const Check& b) {
+  return name_of(a) == name_of(b) && a.by == b.by;
+}
+
 bool is_kept(const Check& check) {
   return check.holds || (check.capacity && !check.why_not.empty() && !check.limit.empty());
 }
@@ -70,7 +74,7 @@ Checks checks_from(const Json& list) {
     check.mode = static_cast<FailureMode>(json.at(mode_key).get<int>());
     for_each_text([&](const char* key, std::string Check::*text) { check.*text = json.value(key, std::string()); });
     for_each_number([&](const char* key, std::optional<double> Check::*number) {
-      if (json.contains(key)) check.*number = json[key].get<double>();
+      if (json.contains(key) && json[key].is_number()) check.*number = json[key].get<double>();
     });
     if (json.contains(holds_key)) check.holds = json[holds_key].get<bool>();
     check.at_least = json.contains(least_key);
@@ -84,8 +88,8 @@ std::vector<CheckInRuns> checks_in_runs(const Results& results) {
   for (std::size_t run = 0; run < results.size(); ++run) {
     if (!results[run]) continue;
     for (const Check& check : results[run]->doubts.checks) {
-      auto known = std::find_if(list.begin(), list.end(),
-                                [&](const CheckInRuns& one) { return name_of(one.worst) == name_of(check); });
+      auto known =
+          std::find_if(list.begin(), list.end(), [&](const CheckInRuns& one) { return is_same(one.worst, check); });
       if (known == list.end())
         known = list.insert(list.end(), {check, 0, 0, run, {}});
       else if (is_worse(check, known->worst))

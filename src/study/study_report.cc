@@ -138,7 +138,7 @@ bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
     const auto [other, is_new] = first.emplace(std::move(rest), i);
     if (is_new || study.runs[other->second].varied[key].second == study.runs[i].varied[key].second) continue;
     if (results[i]->values != results[other->second]->values ||
-        failing_names(results[i]->doubts.checks) != failing_names(results[other->second]->doubts.checks))
+        to_json(results[i]->doubts.checks) != to_json(results[other->second]->doubts.checks))
       return false;
     compared = true;
   }

@@ -463,7 +463,8 @@ std::optional<StandingSeries> solve_standing(double relative_height, double smal
     const int n = std::min(most_harmonics, best->n + 4);
     const auto next = converged(with_harmonics(*best, n), enough(n));
     if (!next || next->residual > 0.9 * best->residual) best = converged(*best, all);
-    if (!best || !next || next->residual >= best->residual) return best;
+    if (!best) return next ? converged(*next, all) : std::nullopt;
+    if (!next || next->residual >= best->residual) return best;
     best = next;
   }
   return best;
