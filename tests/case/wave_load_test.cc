@@ -11,9 +11,7 @@
 #include "case/time_end.h"
 #include "expected/dynamic_law.h"
 #include "fem/compile.h"
-#include "good_case.h"
-#include "upbead/algebra/petsc_session.h"
-#include "upbead/case/case_run.h"
+#include "meshed_wave.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/wave_heights.h"
 #include "wave_case.h"
@@ -27,17 +25,8 @@ const Water water_of_test{1030., 9.81};
 
 }  // namespace
 
-class WaveLoadTest : public InFolder {
+class WaveLoadTest : public MeshedWave {
  protected:
-  WaveLoadTest() {
-    static const PetscSession petsc;  // MPI starts once in a process
-    unsetenv("UPBEAD_MESHES");
-  }
-
-  static Case read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    write("case.toml", text);
-    return read_case("case.toml", overrides);
-  }
   static const WaveLoad& wave_of(const Case& problem) { return *sources_of_type<WaveLoad>(problem).front(); }
 
   /// P and M_P on the caisson and U are those of `pressure`.
@@ -54,15 +43,6 @@ class WaveLoadTest : public InFolder {
     EXPECT_EQ(*simulation.scene().sliding->uplift->peak, pressure.uplift);
     EXPECT_NEAR(*simulation.scene().sliding->uplift->peak, 0.5 * pressure.pu * problem.tables->section->width,
                 1e-15 * pressure.uplift);
-  }
-
-  static std::string objections(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-      simulation_of(read(text, overrides));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
   }
 };
 

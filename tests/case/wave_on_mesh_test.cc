@@ -4,9 +4,7 @@
 
 #include "base/numbers.h"
 #include "case/wave_load.h"
-#include "good_case.h"
-#include "upbead/algebra/petsc_session.h"
-#include "upbead/case/case_run.h"
+#include "meshed_wave.h"
 #include "wave_case.h"
 
 namespace upbead::test {
@@ -64,25 +62,7 @@ Physical Curve("top") = {13};
          (whole ? "" : "Physical Curve(\"slope\") = {" + upper.substr(2) + "};\n");
 }
 
-class WaveOnMesh : public InFolder {
- protected:
-  WaveOnMesh() {
-    static const PetscSession petsc;  // MPI starts once in a process
-    unsetenv("UPBEAD_MESHES");
-  }
-  static Case read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    write("case.toml", text);
-    return read_case("case.toml", overrides);
-  }
-  static std::string objections(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-      simulation_of(read(text, overrides));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-};
+using WaveOnMesh = MeshedWave;
 
 // Goda's formulas are those of one upright plane; what reaches farther back has factors of its own, which are not here.
 TEST_F(WaveOnMesh, WallThatIsSetBackOrSlopesIsRefused) {
