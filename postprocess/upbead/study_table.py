@@ -53,6 +53,11 @@ class StudyTable(Shown):
             raise UserError(f"all {len(self.failed)} runs of '{folder}' failed, see the column 'message' of study.csv")
         self.summary = read_summary(self.folder)
 
+    @property
+    def void(self) -> NDArray[np.bool_]:
+        """The runs of which no verdict may be drawn, as their own warnings say; shape (runs,)."""
+        return np.array([bool(row.get("void")) for row in self.rows])
+
     def __getitem__(self, name: str) -> Any:
         """A column as numbers, shape (runs,), nan for empty cells; a column of words as words."""
         if name not in self.columns:

@@ -28,13 +28,21 @@ double without_round_off(double value, double peak) {
   return std::abs(value) < 1e-9 * std::abs(peak) ? 0. : value;
 }
 
-std::string with_unit(double value, const std::string& unit, double peak) {
+std::string with_unit(double value, const std::string& unit, double peak, int digits) {
   value = without_round_off(value, peak);
+  if (unit.empty()) return significant(value, digits);
   const double size = std::abs(value);
-  if (size >= 1e6) return significant(value / 1e6, 4) + " M" + unit;
-  if (size >= 1e3) return significant(value / 1e3, 4) + " k" + unit;
-  if (unit == "m" && size > 0. && size < 0.1) return significant(value * 1e3, 4) + " m" + unit;
-  return significant(value, 4) + " " + unit;
+  if (size >= 1e6) return significant(value / 1e6, digits) + " M" + unit;
+  if (size >= 1e3) return significant(value / 1e3, digits) + " k" + unit;
+  if (unit == "m" && size > 0. && size < 0.1) return significant(value * 1e3, digits) + " m" + unit;
+  return significant(value, digits) + " " + unit;
+}
+
+int digits_apart(double a, double b, int least) {
+  constexpr int most = 12;
+  int digits = least;
+  while (a != b && digits < most && significant(a, digits) == significant(b, digits)) ++digits;
+  return digits;
 }
 
 std::string percent(double share) {

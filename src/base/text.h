@@ -50,8 +50,11 @@ std::string place_text(const Point& at, int digits = 3) {
 double without_round_off(double value, double peak);
 
 /// A number with its unit and the prefix that reads best: "3.01 kN/m"; milli for metres only, as mN looks like MN.
-/// Round-off relative to `peak` prints as 0.
-std::string with_unit(double value, const std::string& unit, double peak = 0.);
+/// Round-off relative to `peak` prints as 0. Without a unit, the number alone.
+std::string with_unit(double value, const std::string& unit, double peak = 0., int digits = 4);
+
+/// `least` digits, or as many as tell two numbers that differ apart: what fails by little must not look like its limit.
+int digits_apart(double a, double b, int least);
 
 /// "12.5 %" of a share of 0.125.
 std::string percent(double share);

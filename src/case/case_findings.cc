@@ -75,10 +75,31 @@ NumberedWarnings centroid_warnings(const Case& input, const Simulation& simulati
            "give section.centroid = " + significant(0.5 * B - *e, 4) + ", or mend the caisson's centre of gravity"}};
 }
 
+/// Warning uplift_left_out: a wave presses on the wall alone, and nothing lifts the caisson.
+NumberedWarnings warnings_of_no_uplift(const Case& input, const Simulation& simulation) {
+  const auto& sliding = input.scene.sliding;
+  if (!simulation.compiled()->caisson || !sliding || (sliding->uplift && sliding->uplift->kind != UpliftKind::computed))
+    return {};
+  for (const WaveLoad* wave : acting_waves(input)) {
+    if (!wave->table.mound.empty() || !(wave->pressure.uplift > 0.)) continue;
+    const std::string U = with_unit(wave->pressure.uplift, "N/m");
+    return {
+        {"uplift_left_out", wave->pressure.uplift, 0., "N/m",
+         "the load by a wave presses on the wall alone, and " +
+             std::string(sliding->uplift ? "the computed uplift is that of the caisson's own motion"
+                                         : "no uplift acts") +
+             ": S, N', pressures and margins of the run lack the wave's uplift, by Goda " + U,
+         "write sliding.uplift = { kind = \"wave\" }, or, with kind = \"computed\", name the curves of mound and bed "
+         "in [loads.NAME.wave] mound"}};
+  }
+  return {};
+}
+
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
   NumberedWarnings list = warnings_of_no_load(input);
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, centroid_warnings(input, simulation));
+  append(list, warnings_of_no_uplift(input, simulation));
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given().time.end));
   append(list, unit_warnings(input));

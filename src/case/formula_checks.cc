@@ -119,8 +119,8 @@ NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits) {
     if (given) return;
     const Check* least = nullptr;
     for (const Check& check : checks)
-      if (check.at_least && check.holds && check.demand && (check.mode == mode || check.mode == other_way) &&
-          (!least || *check.demand < *least->demand))
+      if (check.at_least && check.holds && check.demand && *check.capacity == 1. &&
+          (check.mode == mode || check.mode == other_way) && (!least || *check.demand < *least->demand))
         least = &check;
     if (!least || *least->demand < 1. || *least->demand >= of_practice) return;
     list.push_back({"factor_below_practice", *least->demand, of_practice, "1",

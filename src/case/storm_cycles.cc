@@ -111,7 +111,11 @@ std::vector<SeaState> states_of(const Case& problem, Diagnostics& wrong) {
 
 /// Explicit parts, as they were before there were sea states.
 Cycles table_cycles(const Case& problem, Diagnostics& wrong) {
-  Cycles cycles = *problem.tables->cycles_table;
+  const CyclesTable& table = *problem.tables->cycles_table;
+  Cycles cycles = table;
+  if (table.number.empty())  // all waves of a part have its period
+    for (std::size_t i = 0; i < std::min(table.duration.size(), table.period.size()); ++i)
+      cycles.number.push_back(table.period[i] > 0. ? table.duration[i] / table.period[i] : 0.);
   if (!cycles.height.empty()) cycles.run_height = run_height(problem);
   wrong.add(diagnose(cycles));
   return cycles;

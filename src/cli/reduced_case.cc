@@ -46,6 +46,7 @@ std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) 
   return list;
 }
 
+/// `peak_force`: the largest landward P, or where it never is landward, seaward (N/m).
 ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
   ModelSliding sliding{choice.friction, choice.submerged_weight, choice.drag};
   if (!choice.uplift) return sliding;
@@ -81,8 +82,11 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.loads = model_loads(input.scene, file.modes);
   file.caisson_mass = simulation.compiled()->caisson ? simulation.compiled()->caisson->body.mass : 0.;
   file.end = input.scene.time.end;
-  if (const auto& sliding = input.scene.sliding)
-    file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled()), 0., file.end, 1).value);
+  if (const auto& sliding = input.scene.sliding) {
+    const TimeFunction P = force_on_caisson(*simulation.compiled());
+    const double landward = extremum(P, 0., file.end, 1).value;
+    file.sliding = model_sliding(*sliding, landward > 0. ? landward : -extremum(P, 0., file.end, -1).value);
+  }
   file.base = model_base(simulation);
   if (input.scene.initial && input.scene.initial->harbour_level && simulation.compiled()->caisson) {
     file.still = still_water(simulation.scene(), *simulation.compiled()->caisson);

@@ -304,6 +304,13 @@ std::string brief(const Case& input, const Simulation& simulation) {
   return text + "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
 }
 
+/// S, and where the caisson has not come to rest that this is not all of it.
+std::string how_far(const DesignSliding& design) {
+  const std::string S = with_unit(design.value, "m");
+  if (!design.rests) return "without bound, " + S + " till the end";
+  return design.why_not_all.empty() ? S : "at least " + S + ", it still slides at the end,";
+}
+
 std::string brief(const Summary& s) {
   std::string text;
   if (s.verdict) text += verdict_text(*s.verdict, with_a_limit(s.checks), most_checks);
@@ -313,8 +320,8 @@ std::string brief(const Summary& s) {
             (refused == 1 ? " way was" : " ways were") + " refused\n";
   if (s.response) text += forces_of(s);
   if (s.sliding)
-    text += "S           " + with_unit(s.sliding->design.value, "m") + error_of(s.sliding->design.error_estimate) +
-            " by " + s.sliding->design.measure + "\n";
+    text += "S           " + how_far(s.sliding->design) + error_of(s.sliding->design.error_estimate) + " by " +
+            s.sliding->design.measure + "\n";
   if (s.residual)
     text += "at rest     " + moved(s.residual->displacement_x) + ", " +
             settled(-s.residual->displacement_y, s.residual->rotation) + "\n";

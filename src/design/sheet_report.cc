@@ -1,6 +1,7 @@
 // The sheet as text, as Markdown and as JSON.
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "base/text.h"
 #include "design/sheet.h"
@@ -12,9 +13,12 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string number(const Check& check, double value, const std::string& unit) {
-  return check.unit.empty() && unit.empty() ? significant(value, 4)
-                                            : with_unit(value, unit.empty() ? check.unit : unit);
+/// Two numbers as they are compared; one that is missing in words.
+std::pair<std::string, std::string> both(const std::optional<double>& demand, const std::optional<double>& capacity,
+                                         const std::string& unit, int digits, const char* no_demand) {
+  if (demand && capacity) digits = digits_apart(*demand, *capacity, digits);
+  return {demand ? with_unit(*demand, unit, 0., digits) : no_demand,
+          capacity ? with_unit(*capacity, unit, 0., digits) : "no limit"};
 }
 
 /// Demand and capacity of a check as they are compared, with the factor and that which is required.
@@ -26,23 +30,14 @@ Compared compared(const Check& check) {
   Compared c;
   const bool factor = check.at_least && check.unit.empty();
   if (check.balance) {
-    c.demand = number(check, check.balance->acting, check.balance->unit);
-    c.capacity = number(check, check.balance->resisting, check.balance->unit);
+    std::tie(c.demand, c.capacity) = both(check.balance->acting, check.balance->resisting, check.balance->unit, 4, "");
   } else if (check.probability) {
     c.demand = "P " + significant(*check.probability, 3);
   } else if (!factor) {
-    c.demand = check.demand ? number(check, *check.demand, "") : "without bound";
-    c.capacity = check.capacity ? number(check, *check.capacity, "") : "no limit";
+    std::tie(c.demand, c.capacity) = both(check.demand, check.capacity, check.unit, 4, "without bound");
   }
   if (factor) {
-    int digits = 3;  // as many as show that both differ
-    const auto both_alike = [&] {
-      return check.demand && check.capacity && *check.demand != *check.capacity &&
-             significant(*check.demand, digits) == significant(*check.capacity, digits);
-    };
-    while (digits < 12 && both_alike()) ++digits;
-    c.factor = check.demand ? significant(*check.demand, digits) : "not found";
-    c.required = check.capacity ? significant(*check.capacity, digits) : "no limit";
+    std::tie(c.factor, c.required) = both(check.demand, check.capacity, "", 3, "not found");
   } else if (check.capacity) {
     c.factor = check.margin ? margin_text(*check.margin) : "";
     c.required = "1";

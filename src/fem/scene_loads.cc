@@ -258,18 +258,36 @@ class LoadCompiler {
 
 }  // namespace
 
+namespace {
+
+/// Where on the lowest face of a wall a load begins, as seen from the foot: 0 at the foot, 1 at the face's upper end,
+/// and a hair above that place, as a shape that begins at the foot may begin a last digit above the node there. A load
+/// that begins inside the face is spread over all of it.
+double begin_on_face(const Load& load, const Point<dim>& foot, const Point<dim>& upper) {
+  constexpr double hair = 1e-9;
+  const double from = shape_coordinate(load, foot[0], foot[1]), to = shape_coordinate(load, upper[0], upper[1]);
+  if (load.shape.empty() || from == to) return 0.;
+  const double begin = ((to > from ? load.shape.front() : load.shape.back())[0] - from) / (to - from);
+  return begin < 1. - hair ? std::max(begin, 0.) + hair : 0.;
+}
+
+}  // namespace
+
 double pressure_at_foot(const Space& space, const Load& load, const Point<dim>& foot) {
   for (const auto& cell : space.dofs().active_cell_iterators())
     for (const unsigned f : cell->face_indices()) {
       const auto face = cell->face(f);
       if (space.mesh().surface_of(cell) != caisson_name || space.mesh().curve_of(face) != load.boundary) continue;
       const double close = 1e-6 * face->measure();
-      if (face->vertex(0).distance(foot) > close && face->vertex(1).distance(foot) > close) continue;
+      const bool first = face->vertex(0).distance(foot) <= close;
+      if (!first && face->vertex(1).distance(foot) > close) continue;
       const Tensor<1, dim> along = (face->vertex(1) - face->vertex(0)) / face->measure();
       Tensor<1, dim> normal({along[1], -along[0]});
       if (normal * (face->center() - cell->center()) < 0.) normal *= -1.;
       const double scale = load.kind == LoadKind::force ? 1. / total_intensity(space, load) : 1.;
-      return -(traction(load, foot, normal, scale) * normal);
+      const Point<dim> upper = face->vertex(first ? 1 : 0);
+      const Point<dim> at = foot + begin_on_face(load, foot, upper) * (upper - foot);
+      return -(traction(load, at, normal, scale) * normal);
     }
   return 0.;
 }

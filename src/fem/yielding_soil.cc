@@ -296,7 +296,8 @@ double SoilOfCells::commit(const Vector& x) {
       stored_sum_ += stored_[i].value[lane];
     }
   layout_.add_up(lost);
-  for (std::size_t i = 0; i < lost_.size(); ++i) lost_[i] += lost[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < lost_.size(); ++i)  // below zero stands for no soil, and round-off may not come there
+    if (lost_[i] >= 0.) lost_[i] = std::max(lost_[i] + lost[static_cast<Eigen::Index>(i)], 0.);
   return dissipated;
 }
 

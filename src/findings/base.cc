@@ -85,7 +85,7 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
   if (!base) return std::nullopt;
   const Series& series = e.of(find_history).series;
   BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
-  const EffectiveBase still = without_motion(e.simulation, *base, series.time);
+  const EffectiveBase still = loads_alone(e.simulation, *base, series);
   const BaseExtremes at_rest = base_extremes(still, series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
   s.static_toe_pressure = at_rest.peak_toe_pressure;
@@ -96,7 +96,7 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
     look_at_nodes(e.simulation, *base, series, s);
   if (contact && contact->found.solved) {
     set_lifting(*contact->found.solved, s);
-    look_at_loads_on_edge(*base, loads_alone(e.simulation, *base, series), series.time, s);
+    look_at_loads_on_edge(*base, still, series.time, s);
   }
   return s;
 }
@@ -132,7 +132,7 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
            "widen the caisson, or spread its weight seaward"}};
 }
 
-/// Warning rocks_on_edge: a caisson that is followed node by node stands on one edge of its base alone.
+/// Warning rocks_on_edge: a caisson that is followed node by node stands on one edge of its base alone, or on none.
 NumberedWarnings rocking_warnings(const Summary& summary) {
   if (!summary.base || !is_solved_with_friction(summary)) return {};
   const BaseSummary& base = *summary.base;
@@ -140,6 +140,11 @@ NumberedWarnings rocking_warnings(const Summary& summary) {
   const NodeContact& contact = *summary.contact->solved;
   const bool heel = !base.peak_heel_pressure;
   const double opening = heel ? contact.opening_seaward : contact.opening_landward;
+  if (contact.least_contact == 0.)
+    return {{"rocks_on_edge", std::max(contact.opening_seaward, contact.opening_landward), 0., "m",
+             "the whole bottom lifts from the ground, from " + significant(*contact.first_open) +
+                 " s on at one end: what presses on the ground when it comes down is not known, and neither is S",
+             "make the caisson heavier, or let less uplift act"}};
   return {{"rocks_on_edge", opening, 0., "m",
            std::string("at ") + significant(heel ? base.peak_heel_pressure_time : base.peak_toe_pressure_time) +
                " s the caisson stands on its " + (heel ? "landward" : "seaward") +

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/run_end.h"
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
@@ -65,7 +66,8 @@ std::vector<double> static_shear(const Evidence& e, const std::vector<double>& t
   std::vector<double> list(time.size(), e.of(find_effective_base)->push);
   for (std::size_t i = 0; i < time.size(); ++i)
     for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k)
-      list[i] += compiled.system.loads[k].history(time[i]) * compiled.loads_on_caisson[k].force_x;
+      list[i] +=
+          until_end(compiled.system.loads[k].history, time[i], e.scene.time.end) * compiled.loads_on_caisson[k].force_x;
   return list;
 }
 
@@ -89,8 +91,9 @@ void look_in_motion(const Evidence& e, const CircleGround& ground, const std::op
 
 /// The least circle under the loads without motion, and by how much more motion needs of the same strength.
 void look_without_motion(const Evidence& e, const CircleGround& ground, SlipCircles& circles) {
-  const std::vector<double>& time = e.of(find_history).series.time;
-  const EffectiveBase base = without_motion(e.simulation, *e.of(find_effective_base), time);
+  const Series& series = e.of(find_history).series;
+  const std::vector<double>& time = series.time;
+  const EffectiveBase base = loads_alone(e.simulation, *e.of(find_effective_base), series);
   const std::vector<BaseMoment> moments = moments_to_look_at(base, static_shear(e, time), time);
   circles.static_design = least_of_moments(ground, moments, [](double) { return PressureAt(); }).least;
   if (circles.static_design && circles.still && circles.still->factor > 0.)
@@ -172,6 +175,11 @@ NumberedWarnings circle_warnings(const Evidence& e, const Summary& summary) {
          "limits.circles is not checked: " + (summary.circles ? "no circle has a factor" : summary.why_no_circles),
          "give the regions under the caisson a table strength"});
   if (!summary.circles || !summary.circles->governs) return list;
+  if (limit && !summary.circles->uncut.empty())
+    list.push_back({"circles_open", summary.circles->governs->factor, *limit, "1",
+                    "no circle cuts " + summary.circles->uncut +
+                        ", which has no strength: a circle through it may have less than those that were tried",
+                    "give it a table strength; where it is rock, nothing is wrong"});
   const SlipCircleFound& worst = *summary.circles->governs;
   if (worst.factor >= 1.) return list;
   list.push_back({"slip_circle", worst.factor, 1., "1",
@@ -181,6 +189,16 @@ NumberedWarnings circle_warnings(const Evidence& e, const Summary& summary) {
                   "widen the caisson or its berm, or give the mound more height; a factor below 1 of a moment is a "
                   "permanent displacement and not yet a collapse"});
   return list;
+}
+
+/// A factor that suffices in still water's pressure is no result where the water of pores takes a part of the loads.
+Check judged_by_water(const Check& check, const Scene& scene, const SlipCircles& circles) {
+  const bool has_pores = std::any_of(scene.regions.begin(), scene.regions.end(),
+                                     [](const auto& r) { return r.second.kind == RegionKind::porous; });
+  if (circles.why_not_computed.empty() || !has_pores || !check.holds || !*check.holds) return check;
+  return not_checked(check,
+                     "F is " + significant(*check.demand, 4) +
+                         " in still water's pressure, and that of the pores is not known: " + circles.why_not_computed);
 }
 
 Check block_check(const Scene& scene, const SlipBlockFound& block) {
@@ -215,8 +233,8 @@ Checks circle_checks(const Scene& scene, const Summary& summary) {
                         scene.limits, &Limits::circles);
   if (!circles.governs) check = not_checked(check, "no circle has a factor");
   if (factor) check.balance = Balance{circles.governs->driving, *factor * circles.governs->driving, "N/m"};
-  Checks list{check};
-  if (circles.block) list.push_back(block_check(scene, *circles.block));
+  Checks list{judged_by_water(check, scene, circles)};
+  if (circles.block) list.push_back(judged_by_water(block_check(scene, *circles.block), scene, circles));
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include "findings/support_warnings.h"
 #include "findings/topics.h"
 #include "run/contact/contact_run.h"
+#include "run/sliding/uplift.h"
 
 namespace upbead {
 
@@ -126,9 +127,24 @@ NumberedWarnings warnings_of_lift(const Evidence& e, const Summary& summary) {
            "give the mound a law that yields, [regions.mound] law, or take settlement and tilt from tests"}};
 }
 
+/// Warning gap_without_pressure: the sea is to enter gaps, and no pressure of it is known.
+NumberedWarnings warnings_of_gap(const Evidence& e, const Summary& summary) {
+  if (!is_solved_with_friction(summary)) return {};
+  const NodeContact& solved = *summary.contact->solved;
+  if (!solved.first_open || solved.gap_force.value_or(1.) > 0.) return {};
+  for (const TimeFunction& foot : pressures_at_feet(e.simulation))
+    if (extremum(foot, 0., e.scene.time.end, 1).value > 0.) return {};
+  return {{"gap_without_pressure", std::max(solved.opening_seaward, solved.opening_landward), 0., "m",
+           "the base lifts, but no load presses on a wall of the caisson at its foot: the sea enters the gap without "
+           "pressure, and all is as with gap = \"pores\", which may be on the unsafe side",
+           "let the load press on the wall (boundary, with a shape from the foot on) or prescribe the uplift "
+           "([sliding.uplift])"}};
+}
+
 NumberedWarnings warnings_of_contact(const Evidence& e, const Summary& summary) {
   NumberedWarnings list = impact_warnings(e.solution);
   append(list, warnings_of_lift(e, summary));
+  append(list, warnings_of_gap(e, summary));
   append(list, warnings_of_ground(summary));
   return list;
 }

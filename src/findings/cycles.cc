@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "base/text.h"
 #include "fem/compile.h"
@@ -26,19 +28,23 @@ constexpr double largest_measured = 1e-2;
 struct CyclesFound {
   std::optional<CyclesSummary> summary;
   std::map<std::string, double> largest_strain;  ///< amplitude of gamma in the highest waves, by region
-  std::string why_not;
+  std::string why_not, cure;
 };
 
-/// Why there is nothing to tell of a storm; "" where there is.
-std::string why_no_storm(const Evidence& e) {
-  if (!builds_pressure(e.scene)) return "no region has a table cyclic";
-  if (yields(e.scene)) return "the ground yields, so that its shear is not proportional to the wave";
+/// Why there is nothing to tell of a storm, and what to do; "" where there is.
+std::pair<std::string, std::string> why_no_storm(const Evidence& e) {
+  const std::string bonded = "run the storm with a bonded caisson, [regions.caisson.interface] kind = \"bonded\"";
+  if (!builds_pressure(e.scene))
+    return {"no region has a table cyclic",
+            "give the sand under the caisson a table cyclic, such as cyclic = { relative_density = 0.6 }"};
+  if (yields(e.scene))
+    return {"the ground yields, so that its shear is not proportional to the wave", "write law = \"elastic\""};
   const Monitors& monitors = *e.of(monitors_of);
-  if (!monitors.cyclic) return monitors.why_no_cyclic;
-  if (!monitors.cyclic->has_seen()) return "the contact was not marched";
+  if (!monitors.cyclic) return {monitors.why_no_cyclic, "look at the reason"};
+  if (!monitors.cyclic->has_seen()) return {"the contact was not marched", bonded};
   if (e.solution.contact && e.solution.contact->history && !e.scene.cycles->height.empty())
-    return "the caisson slips on its ground, so that shear is not proportional to the height of the wave";
-  return "";
+    return {"the caisson slips on its ground, so that shear is not proportional to the height of the wave", bonded};
+  return {};
 }
 
 std::vector<double> mean_stress_at_rest(const Evidence& e) {
@@ -219,7 +225,7 @@ std::vector<double> field_of(const std::vector<StormCell>& cells, const Value& v
 CyclesFound find_storm(const Evidence& e) {
   CyclesFound out;
   if (!e.scene.cycles) return out;
-  out.why_not = why_no_storm(e);
+  std::tie(out.why_not, out.cure) = why_no_storm(e);
   if (!out.why_not.empty()) return out;
   const Cycles& cycles = *e.scene.cycles;
   const std::vector<StormCell> cells = storm_cells(e);
@@ -270,11 +276,9 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   NumberedWarnings list;
   if (!summary.cycles) {
     if (!summary.why_no_cycles.empty())
-      list.push_back(
-          {"cycles_open", 0., e.scene.limits.pressure_ratio.value_or(1.), "1",
-           "[cycles] is given, but no residual pore pressure was computed: " + summary.why_no_cycles,
-           "give the sand under the caisson a table cyclic, such as cyclic = { relative_density = 0.6 }, and "
-           "law = \"elastic\""});
+      list.push_back({"cycles_open", 0., e.scene.limits.pressure_ratio.value_or(1.), "1",
+                      "[cycles] is given, but no residual pore pressure was computed: " + summary.why_no_cycles,
+                      e.of(find_storm).cure});
     return list;
   }
   const CyclesSummary& cycles = *summary.cycles;
@@ -302,6 +306,9 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   return list;
 }
 
+/// Tilt over settlement (rad/m) of a section that is its own mirror image.
+constexpr double tilt_of_round_off = 1e-6;
+
 Check settling_check(const CyclesSummary& cycles, const std::string& name, const std::string& unit,
                      double CaissonSettling::*part, const Limits& limits) {
   const bool tilts = part == &CaissonSettling::tilt;
@@ -316,22 +323,36 @@ Check settling_check(const CyclesSummary& cycles, const std::string& name, const
                        cycles.why_no_settling);
   const bool compacts = cycles.by_compaction.has_value();
   const double found = (compacts ? *cycles.by_compaction : *cycles.by_drainage).*part;
-  const double demand = tilts ? std::abs(found) : std::max(found, 0.);
+  const double demand = tilts ? std::abs(found) : std::max(0., found);
   const std::string way = compacts ? "by_compaction." : "by_drainage.";
-  return held_to(check_of(mode, name, unit, demand, "cycles." + way + member,
-                          after + (compacts ? "densification by cycles (Byrne 1991)"
-                                            : "the water that cycles press out (Seed and Rahman 1978)")),
-                 limits, limit);
+  const Check check =
+      held_to(check_of(mode, name, unit, demand, "cycles." + way + member,
+                       after +
+                           (compacts ? "densification by cycles (Byrne 1991)"
+                                     : "the water that cycles press out (Seed and Rahman 1978)") +
+                           (tilts ? ", which know no direction: not by the lasting push of waves" : "")),
+              limits, limit);
+  const double down = (compacts ? *cycles.by_compaction : *cycles.by_drainage).settlement;
+  if (tilts && demand <= tilt_of_round_off * std::abs(down))
+    return not_checked(check,
+                       "amplitudes of shear know no direction, and so they do not tilt a section that is its own "
+                       "mirror image; the lasting push of waves, which does, is not in them");
+  return check;
 }
 
 Checks cycles_checks(const Scene& scene, const Summary& summary) {
   if (!scene.cycles) return {};
   if (!summary.cycles) {
-    if (!scene.limits.pressure_ratio) return {};
-    return {not_checked(
-        held_to(check_of(FailureMode::residual_pressure, "residual pore pressure", "", {}, "cycles.largest_ratio", ""),
-                scene.limits, &Limits::pressure_ratio),
-        summary.why_no_cycles)};
+    Checks list;
+    const auto add = [&](FailureMode mode, const char* name, const char* unit, std::optional<double> Limits::*limit) {
+      if (scene.limits.*limit)
+        list.push_back(
+            not_checked(held_to(check_of(mode, name, unit, {}, "", ""), scene.limits, limit), summary.why_no_cycles));
+    };
+    add(FailureMode::residual_pressure, "residual pore pressure", "", &Limits::pressure_ratio);
+    add(FailureMode::settlement, "settlement in the storm", "m", &Limits::settlement);
+    add(FailureMode::tilt, "tilt in the storm", "rad", &Limits::tilt);
+    return list;
   }
   const CyclesSummary& cycles = *summary.cycles;
   std::string how = "over the mean effective stress at rest; shear in proportion to the height, in elastic ground";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/run_end.h"
 #include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
 #include "run/sliding/uplift.h"
@@ -68,8 +69,9 @@ void add_gaps(const ContactHistory& contact, const std::vector<double>& time, do
   if (contact.gap_force.empty()) return;
   const TimeFunction force = piecewise_linear(contact.time, contact.gap_force),
                      moment_about_zero = piecewise_linear(contact.time, contact.gap_moment);
+  const double end = contact.time.back();
   for (std::size_t i = 0; i < time.size(); ++i) {
-    const double F = force(time[i]), M = moment_about_zero(time[i]) + middle * F;
+    const double F = until_end(force, time[i], end), M = until_end(moment_about_zero, time[i], end) + middle * F;
     base.uplift[i] += F;
     base.uplift_moment[i] += M;
     base.force[i] -= F;
@@ -111,8 +113,9 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
     const auto t = static_cast<Eigen::Index>(i);
     double force = U[t], moment = M_U[t];
     for (const UpliftLoad& load : prescribed) {
-      force += load.force * load.pressure(ends.time[i]);
-      moment += load.moment * load.pressure(ends.time[i]);
+      const double f = until_end(load.pressure, ends.time[i], simulation.scene().time.end);
+      force += load.force * f;
+      moment += load.moment * f;
     }
     base.uplift.push_back(force);
     base.uplift_moment.push_back(moment);
@@ -121,6 +124,9 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   }
   if (contact && contact->history)
     add_gaps(*contact->history, ends.time, simulation.compiled()->caisson->bottom_centre[0], base);
+  constexpr double round_off_of_weight = 1e-9;  // of a caisson that has left its ground
+  for (double& force : base.force)
+    if (std::abs(force) <= round_off_of_weight * base.weight) force = 0.;
   return base;
 }
 
@@ -130,7 +136,7 @@ EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, c
     base.force[i] = base.weight - base.uplift[i];
     base.moment[i] = base.weight_moment + base.uplift_moment[i];
     for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
-      const double f = compiled.system.loads[k].history(time[i]);
+      const double f = until_end(compiled.system.loads[k].history, time[i], simulation.scene().time.end);
       base.force[i] -= f * compiled.loads_on_caisson[k].force_y;
       base.moment[i] += f * compiled.loads_on_caisson[k].moment;
     }

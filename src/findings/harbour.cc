@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/run_end.h"
 #include "base/text.h"
 #include "fem/compile.h"
 #include "fem/outline.h"
@@ -69,16 +70,39 @@ std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
                back = std::max(h.back - caisson.bottom_centre[1], 0.);
   h.push = 0.5 * unit_weight * (front * front - back * back);
   // a load that ends with that push is the push
-  const double held = force_on_caisson(*simulation.compiled())(simulation.scene().time.end);
+  const double held =
+      until_end(force_on_caisson(*simulation.compiled()), simulation.scene().time.end, simulation.scene().time.end);
   if (std::abs(held - h.push) <= same_push * std::abs(h.push)) return std::nullopt;
   // the pressure under the base falls in a straight line from one level to the other; W' has that of the higher one
   h.weight_gained = 0.5 * unit_weight * caisson.bottom_width * std::abs(front - back);
   return h;
 }
 
+/// Warning harbour_level: a level of [initial] is not that of the water in the mesh, so that the push and W' are of
+/// other water than the one that swings. It voids the verdict.
+NumberedWarnings level_warnings(const Simulation& simulation) {
+  const auto& initial = simulation.scene().initial;
+  if (!simulation.compiled()->caisson || !initial || !initial->water_level) return {};
+  for (const double side : {-1., 1.}) {
+    const bool behind = side > 0.;
+    if (behind && !initial->harbour_level) continue;
+    const double given = behind ? *initial->harbour_level : *initial->water_level;
+    if (is_level_of(simulation, given, side)) continue;
+    const std::string key = behind ? "harbour_level" : "water_level";
+    return {{"harbour_level", given, level_beside(simulation, side), "m",
+             "[initial] " + key + " = " + significant(given, 6) + " m, but the water " +
+                 (behind ? "behind" : "in front of") +
+                 " the caisson is meshed up to y = " + significant(level_beside(simulation, side), 6) +
+                 " m: what stands still and what swings are not the same water, and no verdict may be drawn",
+             "give the level of the mesh, or mesh the water up to that level", true}};
+  }
+  return {};
+}
+
 /// Warning harbour_level: the scene has one level at rest, and the push by the other is in the checks of friction
 /// alone. It voids the verdict unless it is small against mu W'.
 NumberedWarnings harbour_warnings(const Simulation& simulation, const std::optional<double>&) {
+  if (NumberedWarnings wrong = level_warnings(simulation); !wrong.empty()) return wrong;
   const std::optional<HarbourSummary> h = harbour_of(simulation);
   if (!h || h->counted) return {};
   const double share = std::abs(h->push) / resistance_of(simulation);

@@ -32,6 +32,7 @@ class OnItsMesh {
       if (regions_.count(name) > 0) judge_region("regions." + name + ".", region, regions_.at(name));
     judge_level();
     judge_loads();
+    judge_shapes();
   }
 
  private:
@@ -63,7 +64,8 @@ class OnItsMesh {
           at + "mass", *region.mass,
           of(quantities::density, extent.area, "kg/m", "over its area a density", {{"t/m", 1e3}, {"kN/m", 1e3 / 9.81}}),
           list_);
-    if (region.mass && region.moment_of_inertia) judge_inertia(at, region, extent);
+    if (region.moment_of_inertia) judge_inertia(at, region, extent);
+    if (region.centre_of_gravity) judge_centre(at, *region.centre_of_gravity, extent);
     if (region.kind != RegionKind::porous || !region.porosity || !region.grain_density) return;
     // Less than five times the weight that it bears, soil would be squeezed to nothing: quantities.cc
     const double submerged = (1. - *region.porosity) * (*region.grain_density - scene_.fluid.density);
@@ -82,9 +84,19 @@ class OnItsMesh {
       judge(at + "youngs_modulus", region.youngs_modulus, soil, list_);
   }
 
+  void judge_centre(const std::string& at, const std::array<double, 2>& centre, const Extent& extent) {
+    const auto [x, y] = centre;
+    if (x >= extent.left && x <= extent.right && y >= extent.low && y <= extent.high) return;
+    list_.push_back({"implausible", y, y < extent.low ? extent.low : extent.high, "m",
+                     at + "centre_of_gravity = " + place_text(x, y, 6) +
+                         " lies outside the region, which reaches from " + place_text(extent.left, extent.low, 6) +
+                         " to " + place_text(extent.right, extent.high, 6),
+                     "give it in the coordinates of the mesh, in m", true});
+  }
+
   /// Radii of gyration are 0.29 diagonals of an evenly filled rectangle.
   void judge_inertia(const std::string& at, const Region& region, const Extent& extent) {
-    const double square = *region.mass * (std::pow(extent.width(), 2) + std::pow(extent.height(), 2));
+    const double square = region.mass_over(extent.area) * (std::pow(extent.width(), 2) + std::pow(extent.height(), 2));
     judge(at + "moment_of_inertia", *region.moment_of_inertia,
           {"kg m2/m", 0.01 * square, 0.5 * square, 0.03 * square, 0.25 * square, {{"t m2/m", 1e3}}, "by mass and size"},
           list_);
@@ -104,14 +116,14 @@ class OnItsMesh {
         cure = cure_of_unit(unit, meant);
         break;
       }
-    list_.push_back({"implausible", level, level < all_.low ? all_.low : all_.high, "m", text, cure});
+    list_.push_back({"implausible", level, all_.high, "m", text, cure});
   }
 
-  /// Largest value of the history as written, without the factor.
+  /// Largest value of the history; a factor below 1, by which a study weakens a load, is left out.
   static double peak_of(const Load& load, double end) {
     if (load.factor == 0. || load.history.kinks().empty()) return 0.;
     const double up = extremum(load.history, 0., end, 1).value, down = -extremum(load.history, 0., end, -1).value;
-    return std::max(up, down) / std::abs(load.factor);
+    return std::max(up, down) / std::min(std::abs(load.factor), 1.);
   }
 
   void judge_loads() {
@@ -138,6 +150,30 @@ class OnItsMesh {
             of(quantities::load_on_weight, caisson->body.mass * scene_.gravity, "N/m", "beside the caisson's weight"),
             list_);
     if (caisson && scene_.sliding && scene_.sliding->uplift) judge_uplift(*scene_.sliding->uplift);
+  }
+
+  /// A shape in heights above the foot of the wall, or of another datum, reaches below the wall.
+  void judge_shapes() {
+    constexpr double hair = 1e-3;  // of the wall's height
+    for (const auto& [name, load] : scene_.loads) {
+      if (load.shape.empty() || load.boundary.empty() || load.factor == 0. || !load.transducer.empty()) continue;
+      double low = infinity, high = -infinity;
+      for (const auto& cell : simulation_.mesh()->triangulation.active_cell_iterators())
+        for (const unsigned f : cell->face_indices())
+          if (const auto face = cell->face(f); simulation_.mesh()->surface_of(cell) == caisson_name &&
+                                               simulation_.mesh()->curve_of(face) == load.boundary)
+            for (const unsigned v : {0U, 1U}) {
+              const double at = shape_coordinate(load, face->vertex(v)[0], face->vertex(v)[1]);
+              low = std::min(low, at);
+              high = std::max(high, at);
+            }
+      if (!(high > low) || load.shape.front()[0] >= low - hair * (high - low)) continue;
+      list_.push_back({"implausible", load.shape.front()[0], low, "m",
+                       "loads." + name + ".shape begins at " + significant(load.shape.front()[0], 5) + " m, and '" +
+                           load.boundary + "' reaches from " + significant(low, 5) + " to " + significant(high, 5) +
+                           " m: what lies below the wall is left out",
+                       "give its places in the coordinates of the mesh, not above the foot of the wall", true});
+    }
   }
 
   void judge_uplift(const UpliftChoice& uplift) {
@@ -199,13 +235,52 @@ void judge_fluid(const Scene& scene, NumberedWarnings& list) {
     judge("fluid.atmospheric_pressure", fluid.atmospheric_pressure, quantities::atmosphere, list);
 }
 
-void judge_soil(const std::string& at, const Region& region, NumberedWarnings& list) {
-  if (region.damping) judge(at + "damping.ratio", region.damping->ratio, quantities::damping, list);
+/// The strain at which a table of G over strain falls to half; none where it does not.
+std::optional<double> half_strain(const StrainLaw& law) {
+  for (std::size_t i = 1; i < law.modulus.size(); ++i) {
+    const auto [strain_0, ratio_0] = law.modulus[i - 1];
+    const auto [strain_1, ratio_1] = law.modulus[i];
+    if (ratio_0 >= 0.5 && ratio_1 < 0.5)
+      return strain_0 * std::pow(strain_1 / strain_0, (ratio_0 - 0.5) / (ratio_0 - ratio_1));
+  }
+  return std::nullopt;
+}
+
+void judge_strain_law(const std::string& at, const StrainLaw& law, NumberedWarnings& list) {
+  const Quantity effective{"1", 0.1, 1.01, 0.4, 1., {{"percent", 1e-2}}, "0.65 is usual"};
+  judge(at + "effective", law.effective, effective, list);
+  judge(at + "modulus, the strain at half of G", half_strain(law), quantities::reference_strain, list);
+  if (!law.damping.empty())
+    judge(at + "damping, its largest ratio", law.damping.back()[1], quantities::largest_damping, list);
+}
+
+/// The damping that two frequencies give where the loads are: its least between the length of the run and the shortest
+/// load.
+void judge_damping(const std::string& at, const Rayleigh& damping, const Scene& scene, NumberedWarnings& list) {
+  judge(at + "damping.ratio", damping.ratio, quantities::damping, list);
+  const double duration = shortest_duration(scene), slow = 1. / scene.time.end;
+  if (!(duration > 0.) || !std::isfinite(duration)) return;
+  const double f = std::clamp(std::sqrt(damping.frequencies[0] * damping.frequencies[1]),
+                              std::min(slow, 0.5 / duration), std::max(slow, 0.5 / duration));
+  const double ratio = damping.ratio_at(f);
+  if (ratio > quantities::damping.high && damping.ratio <= quantities::damping.high)
+    list.push_back({"implausible", ratio, quantities::damping.high, "1",
+                    at + "damping: at " + significant(f) + " Hz, where the loads are, the ratio is " +
+                        significant(ratio) + ", more than soil has",
+                    "look at damping.frequencies (Hz), between which the ratio is that of damping.ratio"});
+}
+
+void judge_soil(const std::string& at, const Region& region, const Scene& scene, NumberedWarnings& list) {
+  if (region.damping) judge_damping(at, *region.damping, scene, list);
   if (const auto& law = region.stress_law) {
     judge(at + "shear_modulus.reference", law->reference, quantities::modulus, list);
     judge(at + "shear_modulus.pressure", law->pressure, quantities::stress_scale, list);
+    Quantity floor = quantities::stress_scale;
+    floor.low = floor.common_low = 1e-6;
+    judge(at + "shear_modulus.floor", law->floor, floor, list);
   }
   if (const auto& law = region.strain_law) {
+    judge_strain_law(at + "strain.", *law, list);
     judge(at + "strain.reference_strain", law->reference_strain, quantities::reference_strain, list);
     judge(at + "strain.smallest_damping", law->smallest_damping, quantities::smallest_damping, list);
     judge(at + "strain.largest_damping", law->largest_damping, quantities::largest_damping, list);
@@ -269,6 +344,24 @@ void judge_springs(const std::string& at, const BaseSupport& springs, double W, 
         list);
 }
 
+/// Dashpots by their share of critical damping c/(2 sqrt(k m)), at any scale: of footings on a half-space 0.3 to 0.6
+/// in sliding, 0.5 to 1 in heave and 0.05 to 0.3 in rocking (Richart, Hall and Woods 1970). None at all is a choice.
+void judge_dashpots(const std::string& at, const BaseSupport& dashpots, const BaseSupport& springs, const Body& body,
+                    double bottom, NumberedWarnings& list) {
+  const double about_base = body.moment_of_inertia + body.mass * std::pow(body.centre[1] - bottom, 2);
+  const auto see = [&](const char* key, double c, double k, double m, const char* unit,
+                       const std::vector<MeantUnit>& meant) {
+    const double all = 2. * std::sqrt(k * m);  // critical
+    if (c > 0. && all > 0.)
+      judge(at + key, c, {unit, 1e-3 * all, 5. * all, 0.01 * all, 2. * all, meant, "0.05 to 1 of critical damping"},
+            list);
+  };
+  const std::vector<MeantUnit> along{{"kN s/m2", 1e3}, {"MN s/m2", 1e6}}, about{{"kN s", 1e3}, {"MN s", 1e6}};
+  see("horizontal", dashpots.horizontal, springs.horizontal, body.mass, "N s/m2", along);
+  see("vertical", dashpots.vertical, springs.vertical, body.mass, "N s/m2", along);
+  see("rotation", dashpots.rotation, springs.rotation, about_base, "N s", about);
+}
+
 NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
   const Scene& scene = simulation.given();
@@ -280,7 +373,7 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
     judge(at + "density", region.density, quantities::density, list);
     for (const auto& [part, values] : region.parts)
       judge(at + "parts." + part + ".density", values.density, quantities::density, list);
-    judge_soil(at, region, list);
+    judge_soil(at, region, scene, list);
     judge_pores(at, region, list);
     if (region.porosity && region.biot < *region.porosity)
       list.push_back({"biot_below_porosity", region.biot, *region.porosity, "1",
@@ -292,6 +385,9 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
     if (region.springs && simulation.compiled()->caisson)
       judge_springs(at + "springs.", *region.springs, simulation.compiled()->caisson->body.mass * scene.gravity,
                     simulation.compiled()->caisson->bottom_width, list);
+    if (region.springs && region.dashpots && simulation.compiled()->caisson)
+      judge_dashpots(at + "dashpots.", *region.dashpots, *region.springs, simulation.compiled()->caisson->body,
+                     simulation.compiled()->caisson->bottom_centre[1], list);
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }

@@ -11,7 +11,9 @@
 #include "findings/support_warnings.h"
 #include "response/drainage.h"
 #include "response/ground_waves.h"
+#include "response/shear_response.h"
 #include "response/time_choice.h"
+#include "run/sliding/uplift.h"
 
 namespace upbead {
 
@@ -225,6 +227,24 @@ NumberedWarnings load_warnings(const Simulation& simulation) {
            "make the caisson kind = \"solid\""}};
 }
 
+/// Warnings load_zero and load_cut of a prescribed uplift that follows P so late that the run does not see it.
+NumberedWarnings uplift_warnings(const Simulation& simulation) {
+  constexpr double nearly_all = 0.99;
+  const auto& sliding = simulation.scene().sliding;
+  if (!simulation.compiled()->caisson || !sliding || !sliding->uplift || !sliding->uplift->peak) return {};
+  const UpliftChoice& uplift = *sliding->uplift;
+  const double end = simulation.scene().time.end, peak = *uplift.peak;
+  const TimeFunction P = force_on_caisson(*simulation.compiled());
+  const double seen = extremum(prescribed_uplift(uplift, P, end), 0., end, 1).value;
+  const bool pushes = extremum(P, 0., end, 1).value > 0. || extremum(P, 0., end, -1).value < 0.;
+  if (!pushes || seen >= nearly_all * peak) return {};
+  return {
+      {seen > 0. ? "load_cut" : "load_zero", uplift.lag, end, "s",
+       "the prescribed uplift follows P by " + significant(uplift.lag) + " s, and the run ends at " + significant(end) +
+           " s: " + (seen > 0. ? "no more than " + percent(seen / peak) + " of its peak acts" : "nothing of it acts"),
+       "look at the unit of sliding.uplift.lag (s), or give a longer time.end"}};
+}
+
 /// A pulse builds up the pressure beside the face as a jump would that takes this share of the pulse's duration.
 constexpr double share_of_pulse = 1. / 6.;
 /// Number of cells beside the face with wrong pressures: the first one, and a little of the next.
@@ -339,9 +359,9 @@ NumberedWarnings scene_warnings(const Simulation& simulation, const std::optiona
   NumberedWarnings all;
   for (const NumberedWarnings& part :
        {step_warnings(simulation), jump_warnings(simulation), motion_warnings(simulation), mesh_warnings(simulation),
-        wall_warnings(simulation, peak_time), load_warnings(simulation), boundary_layer_warnings(simulation),
-        ring_warnings(simulation), slow_wave_warnings(simulation), layer_warnings(simulation),
-        thin_layer_warnings(simulation), support_warnings(simulation)})
+        wall_warnings(simulation, peak_time), load_warnings(simulation), uplift_warnings(simulation),
+        boundary_layer_warnings(simulation), ring_warnings(simulation), slow_wave_warnings(simulation),
+        layer_warnings(simulation), thin_layer_warnings(simulation), support_warnings(simulation)})
     append(all, part);
   return all;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/run_end.h"
 #include "base/text.h"
 #include "findings/effective_base.h"
 #include "findings/errors.h"
@@ -64,8 +65,22 @@ bool comes_to_rest(const Evidence& e, const SlidingSummary& sliding) {
   const Series& series = e.of(find_history).series;
   if (series.time.empty()) return true;
   const double normal = loads_alone(e.simulation, *base, series).force.back();
-  const double force = force_on_caisson(*e.simulation.compiled())(series.time.back()) + base->push;
+  const double end = e.scene.time.end;
+  const double force = until_end(force_on_caisson(*e.simulation.compiled()), end, end) + base->push;
   return normal > 0. && std::abs(force) <= sliding.friction * normal;
+}
+
+/// The largest upward force of the loads on the caisson (N/m): mu W' lacks it, as it lacks an uplift.
+double lift_of_loads(const Evidence& e) {
+  const CompiledScene& compiled = *e.simulation.compiled();
+  double largest = 0.;
+  for (const double t : e.of(find_history).series.time) {
+    double up = 0.;
+    for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k)
+      up += until_end(compiled.system.loads[k].history, t, e.scene.time.end) * compiled.loads_on_caisson[k].force_y;
+    largest = std::max(largest, up);
+  }
+  return largest;
 }
 
 std::optional<SlidingSummary> find_sliding(const Evidence& e) {
@@ -76,6 +91,7 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   sliding->coupled = whole.coupled;
   sliding->why_not_coupled = whole.why_not;
   sliding->coupled_failed = whole.failed;
+  sliding->lift_of_loads = lift_of_loads(e);
   sliding->error_estimate = errors.slip;
   sliding->why_no_estimate = errors.why_no_slip;
   if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
@@ -107,7 +123,7 @@ NumberedWarnings warnings_of_end(const Evidence& e, const SlidingSummary& slidin
   return {{"still_slides", std::abs(design.end_velocity),
            tolerable_velocity(sliding.friction, e.scene.gravity, design.value), "m/s",
            design.why_not_all + ", and the distance is not judged where it is within its limit",
-           "let the run end later (time.end)"}};
+           "let the run end later (time.end)", !e.scene.limits.sliding}};
 }
 
 /// Warning no_coupled_slip: the coupled S would not be right.
@@ -142,8 +158,15 @@ double still_push(const Summary& summary, double side) {
   return summary.harbour && !summary.harbour->counted ? side * summary.harbour->push : 0.;
 }
 
+/// What the loads lift takes off mu W'.
+double lost_friction(const Summary& summary) {
+  return summary.sliding->friction * summary.sliding->lift_of_loads;
+}
+
 std::string about_push(const Summary& summary) {
-  return summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "";
+  const double lost = lost_friction(summary);
+  return std::string(summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "") +
+         (lost > 0. ? ", and " + with_unit(lost, "N/m") + ", mu times the largest force of the loads upward" : "");
 }
 
 constexpr double no_force = 1e-6;  // of the largest P
@@ -151,10 +174,11 @@ constexpr double no_force = 1e-6;  // of the largest P
 /// Where no force acts seaward, a friction that suffices for the rebound says nothing of the seaward direction.
 Check seaward_check(const Scene& scene, const Summary& summary, const std::string& assumption) {
   const HistorySliding& history = summary.sliding->history;
-  const Check check = at_most(check_of(FailureMode::sliding_seaward, "force against friction, seaward", "N/m",
-                                       std::max(history.peak_seaward + still_push(summary, -1.), 0.),
-                                       "sliding.peak_sliding_force_seaward", assumption),
-                              history.resistance);
+  const Check check =
+      at_most(check_of(FailureMode::sliding_seaward, "force against friction, seaward", "N/m",
+                       std::max(history.peak_seaward + still_push(summary, -1.) + lost_friction(summary), 0.),
+                       "sliding.peak_sliding_force_seaward", assumption),
+              history.resistance);
   const ShearResponse& r = *summary.response;
   const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
   if (!no_trough || !*check.holds) return check;
@@ -163,14 +187,14 @@ Check seaward_check(const Scene& scene, const Summary& summary, const std::strin
                                 (summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
-/// Without bound where the caisson slides on. What it has slid when the run ends may be too much already, but never
-/// little enough while it still slides.
+/// Without bound where the caisson slides on, which exceeds a limit that nobody gave, too. What it has slid when the
+/// run ends may be too much already, but never little enough while it still slides.
 Check distance_check(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
   const std::optional<double> distance = design.rests ? std::optional(std::abs(design.value)) : std::nullopt;
   const Check check = held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m", distance, design.measure,
                                        (design.value < 0. ? "seaward; " : "") + uplift + "; " + design.why +
                                            (distance ? "" : "; it still slides at the end of the run")),
-                              scene.limits, &Limits::sliding);
+                              scene.limits, &Limits::sliding, distance ? std::nullopt : std::optional(0.));
   return design.why_not_all.empty() || (check.holds && !*check.holds) ? check : not_checked(check, design.why_not_all);
 }
 
@@ -183,10 +207,10 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
-  list.push_back(
-      at_most(check_of(FailureMode::sliding, "force against friction", "N/m",
-                       sliding.history.peak_force + still_push(summary, 1.), "sliding.peak_sliding_force", of_bonded),
-              sliding.history.resistance));
+  list.push_back(at_most(check_of(FailureMode::sliding, "force against friction", "N/m",
+                                  sliding.history.peak_force + still_push(summary, 1.) + lost_friction(summary),
+                                  "sliding.peak_sliding_force", of_bonded),
+                         sliding.history.resistance));
   list.push_back(seaward_check(scene, summary, of_bonded));
   for (Check& check : list) check.has_rival = true;
   return list;

@@ -159,10 +159,14 @@ Check displacement_check(const Summary& summary, const Limits& limits) {
       farthest = &bound;
   if (farthest)
     how += "; from the start " + farthest->start + " carried " + with_unit(farthest->residual.displacement_x, "m");
-  return held_to(
-      check_of(FailureMode::sliding_distance, "displacement with the ground", "m", carried + slip,
-               slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
-      limits, &Limits::sliding);
+  const DesignSliding* design = summary.sliding ? &summary.sliding->design : nullptr;
+  const Check check =
+      held_to(check_of(FailureMode::sliding_distance, "displacement with the ground", "m",
+                       design && !design->rests ? std::nullopt : std::optional(carried + slip),
+                       slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
+              limits, &Limits::sliding);
+  const bool ends = !design || design->why_not_all.empty() || (check.holds && !*check.holds);
+  return ends ? check : not_checked(check, design->why_not_all);
 }
 
 /// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.

@@ -190,6 +190,12 @@ const std::map<std::string, std::string> commands{
     {"CreateDir", "make a folder"},    {"SendToServer", "open a connection"},
 };
 
+/// Whether what is merged is a script.
+bool is_script(const fs::path& file) {
+  static const std::set<std::string> endings{"", ".geo", ".geo_unrolled", ".opt", ".txt", ".inc"};
+  return endings.count(file.extension().string()) > 0;
+}
+
 /// Examines each token together with its neighbours.
 class Search {
  public:
@@ -237,10 +243,8 @@ class Search {
   }
 
   void follow(const std::string& word, const std::string& name) {
-    static const std::set<std::string> script_endings{"", ".geo", ".geo_unrolled", ".opt", ".txt", ".inc"};
     const bool merges = word == "Merge" || word == "MergeWithBoundingBox";
-    if (word == "Include" || (merges && script_endings.count(fs::path(name).extension().string()) > 0))
-      scripts.push_back(name);
+    if (word == "Include" || (merges && is_script(name))) scripts.push_back(name);
   }
 
   /// False also where there is no token i.
@@ -276,6 +280,20 @@ std::vector<GeoParameter> geo_parameters(const std::string& file) {
     const Definitions found(text);
     list.insert(list.end(), found.parameters.begin(), found.parameters.end());
     return found.includes;
+  });
+  return list;
+}
+
+std::vector<std::string> files_of_mesh(const std::string& file) {
+  std::set<std::string> seen;
+  std::vector<std::string> list;
+  for_each_script(file, seen, [&](const fs::path& path, const std::string& text) {
+    list.push_back(path.string());
+    std::vector<std::string> names;
+    if (!is_script(path)) return names;
+    for (const Token& token : Tokens(text).list)
+      if (token.kind == TokenKind::text) names.push_back(token.text);
+    return names;
   });
   return list;
 }

@@ -20,6 +20,10 @@ struct GeoParameter {
 /// unreadable file has none.
 std::vector<GeoParameter> geo_parameters(const std::string& file);
 
+/// The file and all that it reads as far as texts in it name them: scripts that are included or merged, meshes,
+/// drawings, each once. Names that a script builds at run time are not known.
+std::vector<std::string> files_of_mesh(const std::string& file);
+
 struct OutsideCommand {
   Place place;
   std::string word;   ///< as in the script

@@ -14,6 +14,7 @@ namespace {
 constexpr double exactly = 1e-6;  ///< of the range: samples that differ by less count as equal
 constexpr std::size_t least_flat = 5;
 constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; a larger one is a load that lasts
+constexpr std::size_t least_of_record = 50;             ///< samples; fewer may be the corners of a load that stops
 constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: a faster change is the load itself
 constexpr int least_in_rise = 20;
 
@@ -158,7 +159,8 @@ class Inspection {
   /// A load that has not come back to its start where the record ends jumps to zero there.
   void check_cut() {
     const double rest = std::abs(value_.back() - start_) / peak_;
-    if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && rest < most_drift)
+    const bool is_record = n_ >= least_of_record;
+    if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && (rest < most_drift || is_record))
       add("record_cut", rest, least_drift,
           "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
               " % of its peak away from where it starts: the load jumps to zero there",

@@ -80,26 +80,6 @@ double goodness(const Check& check) {
   return check.at_least ? *check.demand : -*check.demand;
 }
 
-constexpr int most_digits = 12;
-
-/// As with_unit, with so many digits.
-std::string number_of(const Check& check, double value, int digits) {
-  if (check.unit.empty()) return significant(value, digits);
-  const std::string usual = with_unit(value, check.unit);
-  const double size = std::abs(value);
-  const double prefix = size >= 1e6 ? 1e6 : size >= 1e3 ? 1e3 : check.unit == "m" && size < 0.1 ? 1e-3 : 1.;
-  return significant(value / prefix, digits) + usual.substr(usual.find(' '));
-}
-
-/// Digits by which demand and capacity differ as they are written: what fails by little must not look like its limit.
-int digits_of(const Check& check) {
-  int digits = 4;
-  if (!check.demand || !check.capacity || *check.demand == *check.capacity) return digits;
-  while (digits < most_digits && number_of(check, *check.demand, digits) == number_of(check, *check.capacity, digits))
-    ++digits;
-  return digits;
-}
-
 }  // namespace
 
 std::string mode_of(const Check& check) {
@@ -131,22 +111,20 @@ Checks worst_of_each(const std::vector<Checks>& several) {
 }
 
 std::string margin_text(double margin) {
-  int digits = 3;
-  while (digits < most_digits && margin != 1. && significant(margin, digits) == "1") ++digits;
-  return significant(margin, digits);
+  return significant(margin, digits_apart(margin, 1., 3));
 }
 
 std::string text_of(const Check& check) {
   if (!check.why_not.empty()) return name_of(check) + ": not checked: " + check.why_not;
-  const int digits = digits_of(check);
+  const int digits = check.demand && check.capacity ? digits_apart(*check.demand, *check.capacity, 4) : 4;
   std::string text = name_of(check) + ": " +
-                     (check.demand     ? number_of(check, *check.demand, digits)
+                     (check.demand     ? with_unit(*check.demand, check.unit, 0., digits)
                       : check.at_least ? "not found"
                                        : "without bound") +
                      (check.probability ? " (probability " + significant(*check.probability, 3) + ")" : "");
   if (!check.capacity) return text + ", no limit given";
-  text += (check.at_least ? " against at least " : " against ") + number_of(check, *check.capacity, digits) + ": " +
-          (*check.holds ? "holds" : "DOES NOT HOLD");
+  text += (check.at_least ? " against at least " : " against ") + with_unit(*check.capacity, check.unit, 0., digits) +
+          ": " + (*check.holds ? "holds" : "DOES NOT HOLD");
   return text + (check.margin ? ", margin " + margin_text(*check.margin) : std::string());
 }
 

@@ -19,19 +19,22 @@ struct LimitRow {
   const char *check, *why_not;
 };
 
-constexpr const char *no_base = "no part knows N', F_T and M' of the base: give [mesh], [loads.NAME] and W'",
-                     *no_strength = "no run of regions with a strength was made",
-                     *no_wave = "no wave was computed by formulas: give [section] and [waves.NAME]",
-                     *stays =
-                         "nothing that stays was computed: no region has a law by which soil yields, and there is "
-                         "no [cycles]",
-                     *no_lives = "no lives were drawn: give [life] and [limits] sliding";
+constexpr const char
+    *no_base = "no part knows N', F_T and M' of the base: give [mesh], [loads.NAME] and W'",
+    *no_strength = "no run of regions with a strength was made",
+    *no_wave =
+        "formulas alone judge it, and no wave was computed by them: give a load kind = \"wave\", or [section] "
+        "and [waves.NAME]",
+    *stays =
+        "nothing that stays was computed: no region has a law by which soil yields, and there is "
+        "no [cycles]",
+    *no_lives = "no lives were drawn: give [life] and [limits] sliding";
 
 constexpr LimitRow limit_rows[] = {
-    {"sliding", &Limits::sliding, "m", false, false, FailureMode::sliding_distance, "sliding distance",
+    {"sliding", &Limits::sliding, "m", false, true, FailureMode::sliding_distance, "sliding distance",
      "no part found a sliding distance"},
-    {"base_pressure", &Limits::base_pressure, "Pa", false, false, FailureMode::heel_pressure, "heel pressure p_e",
-     no_wave},
+    {"base_pressure", &Limits::base_pressure, "Pa", false, true, FailureMode::heel_pressure, "heel pressure p_e",
+     "no part knows W' and the loads on the base: give a run [sliding] and loads, or [section] and [waves.NAME]"},
     {"dynamic_base_pressure", &Limits::dynamic_base_pressure, "Pa", false, true, FailureMode::heel_pressure,
      "heel pressure in motion", no_base},
     {"overturning", &Limits::overturning, "", true, false, FailureMode::overturning, "overturning", no_wave},
@@ -40,14 +43,14 @@ constexpr LimitRow limit_rows[] = {
     {"peak_safety", &Limits::peak_safety, "", true, true, FailureMode::strength, "strength at the peak", no_strength},
     {"liquefaction", &Limits::liquefaction, "", true, true, FailureMode::momentary_liquefaction,
      "momentary liquefaction", "no run was made"},
-    {"sliding_factor", &Limits::sliding_factor, "", true, false, FailureMode::sliding, "sliding by formulas", no_wave},
-    {"seaward_sliding_factor", &Limits::seaward_sliding_factor, "", true, false, FailureMode::sliding_seaward,
+    {"sliding_factor", &Limits::sliding_factor, "", true, true, FailureMode::sliding, "sliding by formulas", no_wave},
+    {"seaward_sliding_factor", &Limits::seaward_sliding_factor, "", true, true, FailureMode::sliding_seaward,
      "sliding seaward by formulas", no_wave},
     {"settlement", &Limits::settlement, "m", false, true, FailureMode::settlement, "settlement", stays},
     {"tilt", &Limits::tilt, "rad", false, true, FailureMode::tilt, "tilt", stays},
     {"pressure_ratio", &Limits::pressure_ratio, "", false, true, FailureMode::residual_pressure,
      "residual pore pressure", "there is no [cycles]"},
-    {"lives_beyond", &Limits::lives_beyond, "", false, false, FailureMode::sliding_distance, "share of lives",
+    {"lives_beyond", &Limits::lives_beyond, "", false, true, FailureMode::sliding_distance, "share of lives",
      no_lives}};
 
 const LimitRow& row_of(std::optional<double> Limits::*limit) {

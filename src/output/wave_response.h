@@ -48,6 +48,8 @@ struct WaveResponse {
   std::optional<double> error_estimate{};
   /// S by eq. (4) on F_T, after it has come to rest (m); none where it was not asked for.
   std::optional<double> sliding{};
+  /// Whether it slides while the last loads, as they are then, exceed the friction: S holds if they stop there.
+  bool slides_on = false;
   std::optional<double> peak_heel_pressure{}, peak_toe_pressure{};  ///< Pa; none as in BaseExtremes, or not known
   std::optional<double> least_overturning_margin{};                 ///< none likewise
   /// mu N'/F_T while F_T acts that way; none where it never does, S was not asked for, or the base is not known.

@@ -8,9 +8,11 @@ namespace upbead {
 
 namespace {
 
-/// 1 - 1/m of the least overturning margin m, 1 where nothing overturns: 0 where the resultant reaches an edge.
+/// 1 - 1/m of the least overturning margin m, 1 where nothing overturns: 0 where the resultant reaches an edge. An
+/// uplift that overturns by itself has m < 0, and counts as far beyond.
 double held_up(const WorstBase& base) {
-  return 1. - 1. / base.overturning_margin;
+  constexpr double least = 1e-3;
+  return 1. - 1. / std::max(base.overturning_margin, least);
 }
 
 /// limit/p_e - 1, which goes on where the resultant has left the base and there is no p_e.

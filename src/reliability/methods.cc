@@ -133,8 +133,8 @@ OT::OptimizationAlgorithm tuned(OT::OptimizationAlgorithm algorithm) {
 MethodAnswer sampled(const std::string& method, const OT::ProbabilitySimulationResult& result, double evaluations) {
   const double p = result.getProbabilityEstimate();
   if (!(p > 0.)) return no_answer(method, "no sample of " + significant(evaluations, 6) + " failed", evaluations);
-  if (p >= 1.) return no_answer(method, "all samples failed", evaluations);
-  MethodAnswer answer = answer_of(method, p, evaluations);
+  const bool all = p >= 1.;  // then it is no less than by half a sample that did not
+  MethodAnswer answer = answer_of(method, all ? 1. - 0.5 / std::max(evaluations, 1.) : p, evaluations);
   answer.variation = result.getCoefficientOfVariation();
   return answer;
 }

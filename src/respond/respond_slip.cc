@@ -8,8 +8,13 @@
 
 namespace upbead {
 
+bool pushes_seaward_alone(const Eigen::RowVectorXd& P) {
+  return P.maxCoeff() <= 0. && P.minCoeff() < 0.;
+}
+
 Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
-                                   const Eigen::RowVectorXd& P) {
+                                   const Eigen::RowVectorXd& force) {
+  const Eigen::RowVectorXd P = pushes_seaward_alone(force) ? Eigen::RowVectorXd(-force) : force;
   Eigen::Index largest = 0;
   const double peak = std::max(P.maxCoeff(&largest), 0.);
   const double peak_time = time[static_cast<std::size_t>(largest)];

@@ -16,7 +16,11 @@
 
 namespace upbead {
 
-/// U(t) >= 0 that follows P(t), given at ascending times (s), as in the case; for the shapes in_phase and held.
+/// Whether waves press on the landward wall alone: then all is as in a mirror.
+bool pushes_seaward_alone(const Eigen::RowVectorXd& P);
+
+/// U(t) >= 0 that follows P(t), given at ascending times (s), as in the case; for the shapes in_phase and held. It
+/// follows a landward P, or one that is never landward.
 Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
                                    const Eigen::RowVectorXd& P);
 

@@ -25,6 +25,34 @@ NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
            "\"friction\")"}};
 }
 
+/// Warning uplift_left_out: the case has a record of an uplift, which belongs to its own wave.
+NumberedWarnings uplift_warnings_of(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  if (!model.sliding || model.sliding->uplift != "history") return {};
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const bool slides = !waves.empty() && waves.front().wave->sliding.has_value();
+  const std::string base = "the case prescribes its uplift by a record, which belongs to its own wave: ";
+  return {
+      {"uplift_left_out", 0., 0., "N/m",
+       base + (slides ? "S, pressures and margins of these waves are without any uplift, too large a W' - U"
+                      : "S, pressures and margins of these waves are not told"),
+       "give [sliding.uplift] a peak, or kind = \"computed\", and reduce again, or solve the wave by 'upbead run'"}};
+}
+
+/// Warning slides_on: S is that of loads that stop where the wave ends.
+NumberedWarnings endless_warnings(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto goes_on = [](const AnsweredWave& row) { return row.wave->slides_on; };
+  const auto n = std::count_if(waves.begin(), waves.end(), goes_on);
+  if (n == 0) return {};
+  const AnsweredWave& first = *std::find_if(waves.begin(), waves.end(), goes_on);
+  const double S = *first.wave->sliding;
+  return {{"slides_on", S, 0., "m",
+           "the loads at the end of " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, such as " +
+               first.name + " with S " + with_unit(S, "m") +
+               ", exceed the friction: S is that of loads which stop there, and has no bound where they stay",
+           "let the wave last until its loads are over"}};
+}
+
 /// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency.
 NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   const std::vector<AnsweredWave> waves = all_waves(files);
@@ -151,8 +179,9 @@ NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector
 
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   NumberedWarnings list = model.warnings;
-  for (const NumberedWarnings& more : {band_warnings(model, files), error_warnings(model, files), slip_warnings(files),
-                                       lift_warnings_of(files), circle_warnings_of(files)})
+  for (const NumberedWarnings& more :
+       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), endless_warnings(files),
+        uplift_warnings_of(model, files), lift_warnings_of(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

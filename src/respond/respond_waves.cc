@@ -102,15 +102,16 @@ class BaseAnswer {
         uplift_(one_reading(model.modes, reading::uplift), grid),
         uplift_moment_(one_reading(model.modes, reading::uplift_moment), grid) {}
 
-  /// `prescribed`: an uplift in addition to the computed one; empty: none.
+  /// `prescribed`: an uplift in addition to the computed one; empty: none. `seaward`: of waves on the landward wall
+  /// alone, under which it is largest at that edge.
   EffectiveBase answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
-                       const Eigen::RowVectorXd& prescribed) const {
+                       const Eigen::RowVectorXd& prescribed, bool seaward) const {
     const auto of = [&](const WaveReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
     const Eigen::RowVectorXd N = of(normal_), M = of(moment_);
     Eigen::RowVectorXd U = of(uplift_), M_U = of(uplift_moment_);
     if (prescribed.size() > 0) {
       U += prescribed;
-      M_U += base_.uplift_moment_per_force * prescribed;
+      M_U += (seaward ? -1. : 1.) * std::abs(base_.uplift_moment_per_force) * prescribed;
     }
     const auto list = [](const Eigen::RowVectorXd& row) { return std::vector<double>(row.begin(), row.end()); };
     const Eigen::RowVectorXd force = (N - U).array() + base_.weight, moment = (M + M_U).array() + base_.weight_moment;
@@ -257,16 +258,22 @@ class FileWork {
     if (uplift_) computed = uplift_->answer(loads, grid_, batch);
     const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
-    if (!slip_) return;
-    SlipOfWave slip =
-        slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
-    out.coupled = slip.coupled;
-    out.why_not_coupled = std::move(slip.why_not);
+    if (slip_) {
+      SlipOfWave slip =
+          slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
+      out.coupled = slip.coupled;
+      out.why_not_coupled = std::move(slip.why_not);
+    }
+    const Eigen::Index last = grid_.last ? static_cast<Eigen::Index>(*grid_.last) : loads.cols() - 1;
+    const double force = (force_ * loads.col(last)).value() + bottom.push,
+                 normal = bottom.submerged_weight - (U.size() > 0 ? U[last] : 0.);
+    const bool slid = *out.sliding != 0. || (out.coupled && out.coupled->largest != 0.);
+    out.slides_on = slid && std::abs(force) > bottom.friction * std::max(normal, 0.);
   }
 
   void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& shear,
                 bool batch, WaveResponse& out) const {
-    const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed);
+    const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed, pushes_seaward_alone(force_ * loads));
     const Eigen::RowVectorXd F = shear.array() + base.push;
     if (circles_) out.circle = circles_->answer(loads, grid_, batch, base, F);
     if (const EdgeStress least = least_edge_stress(base, grid_.time); least.stress < 0.) out.tension = least;

@@ -147,8 +147,11 @@ std::string told_of_others(const Reduction& reduction) {
   if (name.empty()) return "";
   const bool close = reduction.error.others <= reduction.tolerance_of_others;
   return "; least certain of all else is " + name + ", by " + percent(reduction.error.others) +
-         " of its largest value, " + (close ? "less than" : "which matters where it is read, not for F_T: more than") +
-         " its tolerance of " + percent(reduction.tolerance_of_others);
+         " of its largest value, " +
+         (std::isinf(reduction.tolerance_of_others)
+              ? std::string("of which no tolerance is asked")
+              : std::string(close ? "less than" : "which matters where it is read, not for F_T: more than") +
+                    " its tolerance of " + percent(reduction.tolerance_of_others));
 }
 
 void require_converged(const Reduction& reduction) {

@@ -67,7 +67,11 @@ std::optional<StepGrowth> growth(const Scene& scene, double step) {
 
 /// Fraction of the duration for a step, measured for a tolerance of 0.5 %: docs/performance.md.
 double fraction(const Scene& scene, int order) {
-  return (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
+  const auto caisson = scene.regions.find(caisson_name);
+  const bool gaps =
+      caisson != scene.regions.end() && caisson->second.interface && caisson->second.interface->gap == GapSource::sea;
+  constexpr double of_gaps = 0.125;  // the water of a gap is that of the step before it, of order 1: 5 % of S without
+  return (gaps ? of_gaps : 1.) * (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
 }
 
 /// Height above the centre of gravity at which the largest horizontal load acts on the caisson (m); 0 without one.

@@ -49,15 +49,21 @@ ResidualSummary residual(const Simulation& simulation, const Response& response)
           pore_pressure_left(*simulation.space(), *simulation.unknowns(), response.final_state)};
 }
 
-/// Share of the area of soil that may yield in which cells lost energy.
+/// Share of the area of soil that may yield in which cells lost energy: more than round-off of the mean over the area.
 double share_yielded(const Space& space, const YieldingSoil& soil) {
-  double yielded = 0., all = 0.;
-  for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
-    const double lost = soil.dissipated()[cell->active_cell_index()];
-    if (lost < 0.) continue;
-    all += area_of(cell);
-    if (lost > 0.) yielded += area_of(cell);
-  }
+  constexpr double round_off_of_mean = 1e-6;
+  double yielded = 0., all = 0., lost_in_all = 0.;
+  const auto for_each_cell = [&](const auto& visit) {
+    for (const auto& cell : space.mesh().triangulation.active_cell_iterators())
+      if (const double lost = soil.dissipated()[cell->active_cell_index()]; lost >= 0.) visit(area_of(cell), lost);
+  };
+  for_each_cell([&](double area, double lost) {
+    all += area;
+    lost_in_all += lost;
+  });
+  for_each_cell([&](double area, double lost) {
+    if (lost > 0. && lost * all > round_off_of_mean * lost_in_all * area) yielded += area;
+  });
   return all > 0. ? yielded / all : 0.;
 }
 

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double all_of_it = 1. - 1e-6, round_off = 1e-9;
+constexpr double all_of_it = 1. - 1e-3, round_off = 1e-9;
 
 std::vector<bool> may_yield(YieldingSoil& soil) {
   std::vector<bool> list;

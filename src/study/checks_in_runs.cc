@@ -91,10 +91,11 @@ std::vector<CheckInRuns> checks_in_runs(const Results& results) {
       auto known =
           std::find_if(list.begin(), list.end(), [&](const CheckInRuns& one) { return is_same(one.worst, check); });
       if (known == list.end())
-        known = list.insert(list.end(), {check, 0, 0, run, {}});
+        known = list.insert(list.end(), {check, 0, 0, 0, run, {}});
       else if (is_worse(check, known->worst))
         std::tie(known->worst, known->worst_run) = std::pair(check, run);
       if (check.holds) ++known->judged;
+      if (!check.why_not.empty()) ++known->unjudged;
       if (!fails(check)) continue;
       ++known->failing;
       if (!known->first_run) known->first_run = run;
@@ -111,6 +112,7 @@ Json to_json(const std::vector<CheckInRuns>& checks) {
     Json json = check_outputs().to_json(one.worst);
     json["failing"] = one.failing;
     json["judged"] = one.judged;
+    json["unjudged"] = one.unjudged;
     json["first_run"] = one.first_run ? Json(*one.first_run) : Json(nullptr);
     json["worst_run"] = one.worst_run;
     list.push_back(std::move(json));
@@ -120,11 +122,15 @@ Json to_json(const std::vector<CheckInRuns>& checks) {
 
 std::string in_words(const std::vector<CheckInRuns>& checks, std::size_t of) {
   std::string text;
-  for (const CheckInRuns& one : checks)
+  for (const CheckInRuns& one : checks) {
+    const std::string runs = " of " + std::to_string(of) + " runs";
     if (one.failing > 0)
-      text += "check fails " + name_of(one.worst) + ": in " + std::to_string(one.failing) + " of " +
-              std::to_string(of) + " runs, worst in run " + std::to_string(one.worst_run) + ": " + text_of(one.worst) +
-              "\n";
+      text += "check fails " + name_of(one.worst) + ": in " + std::to_string(one.failing) + runs + ", worst in run " +
+              std::to_string(one.worst_run) + ": " + text_of(one.worst) + "\n";
+    if (one.unjudged > 0)
+      text += "not checked " + name_of(one.worst) + ": in " + std::to_string(one.unjudged) + runs +
+              ", where its limit could not be judged\n";
+  }
   return text;
 }
 

@@ -16,7 +16,7 @@ Checks checks_from(const Json& list);
 /// A check in all runs that have it.
 struct CheckInRuns {
   Check worst;
-  int failing = 0, judged = 0;  ///< runs
+  int failing = 0, judged = 0, unjudged = 0;  ///< runs; `unjudged`: it has a limit there and could not be judged
   std::size_t worst_run = 0;
   std::optional<std::size_t> first_run;  ///< in which it fails
 };
@@ -24,7 +24,7 @@ struct CheckInRuns {
 /// By their names, the most frequent failures first.
 std::vector<CheckInRuns> checks_in_runs(const Results& results);
 Json to_json(const std::vector<CheckInRuns>& checks);
-/// A line of each that fails, for the terminal; `of`: number of runs.
+/// A line of each that fails, or that some run could not judge, for the terminal; `of`: number of runs.
 std::string in_words(const std::vector<CheckInRuns>& checks, std::size_t of);
 /// "name; name" of those that fail in one run, each once.
 std::string failing_names(const Checks& checks);

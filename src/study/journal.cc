@@ -27,6 +27,7 @@ RunResult result_of(const Json& json) {
   result.message = json.at("message");
   result.doubts.checks = checks_from(json.value("checks", Json::array()));
   result.doubts.warnings = json.value("warnings", result.doubts.warnings);
+  result.doubts.why_void = json.value("void", std::string());
   result.shared = static_cast<Shared>(json.at("shared").get<int>());
   result.why_own = json.value("why_own", std::string());
   if (json.contains("error_estimate")) result.error_estimate = json["error_estimate"].get<double>();
@@ -41,6 +42,7 @@ Json to_object(int run, const RunResult& result) {
   json["message"] = result.message;
   json["checks"] = to_json(result.doubts.checks);
   json["warnings"] = result.doubts.warnings;
+  if (!result.doubts.why_void.empty()) json["void"] = result.doubts.why_void;
   json["shared"] = static_cast<int>(result.shared);
   if (!result.why_own.empty()) json["why_own"] = result.why_own;
   if (result.error_estimate) json["error_estimate"] = *result.error_estimate;

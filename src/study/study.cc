@@ -74,21 +74,29 @@ std::optional<Case> first_sound_case(const Study& study, int index, const Docume
   return std::nullopt;
 }
 
-/// Adds all files on which a case depends, including those that a setting names.
-void add_case(Study& study, const Case& problem, const std::set<std::string>& words) {
-  for (const InputFile& file : input_files(problem)) study.inputs.push_back(file);
-  for (const std::string& word : words) study.inputs.push_back({problem.resolve(word), study.inputs.front().place});
+/// Adds files that are not yet known.
+void add_inputs(Study& study, const std::vector<InputFile>& files) {
+  for (const InputFile& file : files)
+    if (std::none_of(study.inputs.begin(), study.inputs.end(),
+                     [&file](const InputFile& known) { return known.path == file.path; }))
+      study.inputs.push_back(file);
 }
 
-std::set<std::string> words_of(const StudyTables& tables) {
-  std::set<std::string> words;
-  const auto add = [&words](const Literal& value) {
-    if (value.toml.size() > 2 && value.toml.front() == '"') words.insert(value.toml.substr(1, value.toml.size() - 2));
-  };
-  for (const auto& [key, value] : tables.set) add(value);
-  for (const auto& [key, vary] : tables.vary)
-    for (const Literal& value : vary.values) add(value);
-  return words;
+/// Adds all files on which a case depends, with the words that its runs set: such a word may name a file, a folder, or
+/// decide which files are read.
+void add_case(Study& study, int index) {
+  std::set<std::vector<std::string>> seen;
+  for (const StudyRun& run : study.runs) {
+    if (run.case_index != index) continue;
+    std::vector<std::string> words;
+    for (const auto& [key, value] : run.settings)
+      if (value.front() == '"') words.push_back(std::string(key).append("=").append(value));
+    if (!seen.insert(words).second) continue;
+    try {
+      add_inputs(study, input_files(read_case(study.cases[static_cast<std::size_t>(index)], overrides_of(run))));
+    } catch (const InputError&) {  // told where the run is made; it reads no file
+    }
+  }
 }
 
 /// Units, by dotted key, of every number of the case, and of the parameters of its .geo whose comments name a unit.
@@ -156,7 +164,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   for (const std::string& text : overrides) fingerprint.add(text);
   for (int c = 0; c < static_cast<int>(study.cases.size()); ++c)
     if (const auto problem = first_sound_case(study, c, document, report)) {
-      add_case(study, *problem, words_of(tables));
+      add_case(study, c);
       if (c > 0) continue;
       const std::map<std::string, std::string> units = units_of_keys(*problem);
       for (const std::string& key : study.keys) study.units.push_back(units.count(key) != 0 ? units.at(key) : "");

@@ -80,6 +80,15 @@ std::map<std::string, int> reasons_of_own(const Results& results) {
   return reasons;
 }
 
+/// Runs of which no verdict may be drawn, by the warnings that say so.
+std::map<std::string, std::vector<int>> void_runs(const Results& results) {
+  std::map<std::string, std::vector<int>> runs;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i] && !results[i]->doubts.why_void.empty())
+      runs[results[i]->doubts.why_void].push_back(static_cast<int>(i));
+  return runs;
+}
+
 /// A warning of several runs, as the first of them tells it.
 struct InRuns {
   std::string name, text;
@@ -127,7 +136,6 @@ bool all_tell(const Study& study, const Results& results) {
 bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
   std::map<std::vector<std::string>, std::size_t> first;  // run by its case and its other values
   bool compared = false;
-  if (!all_tell(study, results)) return false;
   for (std::size_t k = 0; k < study.keys.size(); ++k)
     if (k != key && is_always_new(study, k)) return false;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -149,6 +157,7 @@ bool is_unfelt(const Study& study, const Results& results, std::size_t key) {
 /// does not use.
 std::vector<InRuns> all_warnings(const Study& study, const Results& results) {
   std::vector<InRuns> list = warnings_in_runs(results);
+  if (!all_tell(study, results)) return list;
   for (std::size_t k = 0; k < study.keys.size(); ++k)
     if (is_unfelt(study, results, k))
       list.push_back({"varied_unfelt",
@@ -290,7 +299,7 @@ std::string study_csv(const Study& study, const Results& results) {
   if (sobol) text += ",point,matrix";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);
-  text += std::string(",status,message,checks_failing,warnings") + (estimated ? ",error_estimate\n" : "\n");
+  text += std::string(",status,message,checks_failing,warnings") + (estimated ? ",error_estimate" : "") + ",void\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     const RunResult result = results[i].value_or(RunResult{});
     text += std::to_string(i);
@@ -306,7 +315,7 @@ std::string study_csv(const Study& study, const Results& results) {
             "," + csv_cell(result.message) + "," + csv_cell(failing_names(result.doubts.checks)) + "," +
             csv_cell(names_of(result.doubts.warnings));
     if (estimated) text += "," + (result.error_estimate ? number_text(*result.error_estimate) : std::string());
-    text += "\n";
+    text += "," + csv_cell(result.doubts.why_void) + "\n";
   }
   return text;
 }
@@ -349,6 +358,8 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   for (const MissingRuns& of : account.missing)
     json["missing"].push_back({{"part", of.part}, {"runs", of.runs}, {"works", of.holder}, {"command", of.command}});
   json["failed"] = failures(study, results);
+  json["void"] = Json::array();
+  for (const auto& [why, runs] : void_runs(results)) json["void"].push_back({{"runs", runs}, {"why", why}});
   json["checks"] = to_json(checks_in_runs(results));
   json["warnings"] = to_json(all_warnings(study, results));
   json["resumed"] = account.resumed ? Json(*account.resumed) : Json(nullptr);
@@ -389,6 +400,9 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
   });
   if (n_told > n_listed)
     text += "            and " + std::to_string(n_told - n_listed) + " more, see failed in summary.json\n";
+  for (const auto& [why, runs] : void_runs(results))
+    text += "VOID        " + std::to_string(runs.size()) + (runs.size() == 1 ? " run (" : " runs (") + listed(runs) +
+            "), as the warnings say: " + why + "\n";
   const auto n = static_cast<std::size_t>(n_results(results));
   text += in_words(checks_in_runs(results), n);
   text += in_words(all_warnings(study, results), n);

@@ -63,7 +63,7 @@ std::vector<std::optional<double>> numbers_at(const Json& summary, const std::ve
 }
 
 Doubts doubts_of(const Summary& summary) {
-  Doubts doubts{summary.checks, {}};
+  Doubts doubts{summary.checks, {}, verdict_of(summary.checks, summary.warnings).why_void};
   for (const NumberedWarning& warning : summary.warnings) doubts.warnings.emplace_back(warning.name, warning.text());
   return doubts;
 }

@@ -20,10 +20,12 @@ const std::vector<std::string>& readable_paths();
 /// The numbers at the paths; none where a summary has null, or no such path.
 std::vector<std::optional<double>> numbers_at(const Json& summary, const std::vector<std::string>& paths);
 
-/// What a summary doubts: its checks, and names of warnings, each with its text.
+/// What a summary doubts: its checks, names of warnings, each with its text, and the names of those under which no
+/// verdict may be drawn.
 struct Doubts {
   Checks checks;
   std::vector<std::pair<std::string, std::string>> warnings;
+  std::string why_void;
 };
 Doubts doubts_of(const Summary& summary);
 

@@ -15,8 +15,8 @@ constexpr double round_off = 1e-9;
 EdgePressures edge_pressures(double force, double moment, double width) {
   if (!(force > 0. && std::abs(moment) < 0.5 * width * force * (1. - round_off))) {
     EdgePressures p{0., 0.};
-    if (moment >= 0.) p.landward.reset();
-    if (moment <= 0.) p.seaward.reset();
+    if (moment >= 0. || force <= 0.) p.landward.reset();  // off the ground, it may come down on either edge
+    if (moment <= 0. || force <= 0.) p.seaward.reset();
     return p;
   }
   const double e = moment / force;

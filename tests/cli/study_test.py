@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import pty
+import shutil
 import signal
 import subprocess
 import time
@@ -182,6 +183,28 @@ class Study(StudyTest):
         self.assertEqual(code, 130)
         self.assertRegex(errors, r"interrupted; \d+ of 2000 runs are done")
         self.assertFalse((self.folder / "killed/study.csv").exists())
+
+    def test_a_changed_file_in_a_folder_that_is_varied_does_not_resume(self):
+        shutil.copytree(CASES / "cfd", self.folder / "cfd")
+        shutil.copytree(CASES / "cfd/bore", self.folder / "cfd/other")
+        (self.folder / "study.toml").write_text(
+            'case = "cfd/bore.toml"\nread = ["response.peak_shear"]\n[vary."loads.forces.from"]\nvalues = ["bore/forces", "other/forces"]\n')
+        self.study()
+        forces = self.folder / "cfd/other/forces/0/force.dat"
+        forces.write_text(forces.read_text() + "# more\n")
+        self.assertIn("add --restart to forget them", self.study(code=1).stderr)
+
+    def test_a_void_run_is_told(self):
+        text = (CASES / "design-wave/composite.toml").read_text()
+        (self.folder / "harbour.toml").write_text(
+            text.replace("water_depth = 15\n", "water_depth = 15\nwater_depth_back = 15\n").replace("cells = 0.4", "cells = 0.6"))
+        (self.folder / "study.toml").write_text(
+            'case = "harbour.toml"\nread = ["sliding.design.value"]\n[vary."mesh.parameters.water_depth_back"]\nvalues = [15, 13]\n')
+        done = self.study()
+        rows, summary = self.rows(), json.loads((self.folder / "results/study/summary.json").read_text())
+        self.assertEqual([row["void"] for row in rows], ["", "harbour_level"])
+        self.assertEqual([{"runs": [1], "why": "harbour_level"}], summary["void"])
+        self.assertIn("VOID        1 run (1), as the warnings say: harbour_level\n", done.stdout)
 
     def test_a_changed_study_does_not_resume(self):
         (self.folder / "study.toml").write_text(SHORT)

@@ -185,6 +185,12 @@ TEST_F(StudyFile, TheFingerprintChangesWithEverythingThatANumberRestsOn) {
   expect_news("the case", read(text));
   write("meshes/composite.geo", "// more\n");
   expect_news("the geometry", read(text));
+  write("meshes/composite.geo", "Include \"more.geo\";\n");
+  expect_news("a geometry that includes", read(text));
+  write("meshes/more.geo", "Merge \"drawn.stl\";\n");
+  expect_news("what it includes", read(text));
+  write("meshes/drawn.stl", "solid\n");
+  expect_news("what that merges", read(text));
 }
 
 TEST_F(StudyFile, OneSoundRunIsEnoughToStart) {

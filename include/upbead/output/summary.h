@@ -151,6 +151,7 @@ struct SlidingSummary {
   bool coupled_failed = false;                ///< whether the numerics failed; false: the scene does not allow it
   std::optional<double> error_estimate;       ///< of S by eq. (4) on F_T(t) (m)
   std::string why_no_estimate;                ///< else
+  double lift_of_loads = 0.;                  ///< largest force of the loads on the caisson upward (N/m)
 };
 
 /// Still water at two levels, in front of a caisson and behind it.

@@ -46,13 +46,17 @@ function valueAt(time, y, t) {
   return (1 - part) * y[next - 1] + part * y[next];
 }
 
+// Whether waves press on the landward wall alone: then all is as in a mirror.
+const pushesSeawardAlone = (P) => P.every((value) => value <= 0) && P.some((value) => value < 0);
+
 // U(t) that follows P(t), in phase or held, as src/respond/respond_slip.cc has it.
-function upliftOfForce({uplift, uplift_per_force, lag}, time, P) {
+function upliftOfForce({uplift, uplift_per_force, lag}, time, force) {
+  const P = pushesSeawardAlone(force) ? force.map((value) => -value) : force;
   let at = 0;
   for (let n = 1; n < P.length; ++n) if (P[n] > P[at]) at = n;
   const peak = Math.max(P[at], 0);
-  return P.map((force, n) => {
-    const t = time[n] - lag, then = lag > 0 ? (t < time[0] ? 0 : valueAt(time, P, t)) : force;
+  return P.map((value, n) => {
+    const t = time[n] - lag, then = lag > 0 ? (t < time[0] ? 0 : valueAt(time, P, t)) : value;
     return uplift_per_force * (uplift === "held" && t > time[at] ? peak : Math.max(then, 0));
   });
 }
@@ -75,8 +79,9 @@ export function histories(model, wave, slides, mostTimes = Infinity) {
 }
 
 // N', M' and U on the base; prescribed: an uplift besides the computed one, or null.
-function onBase(model, {ofBase}, prescribed) {
-  const {width, weight, weight_moment: weightMoment, uplift_moment_per_force: arm} = model.base;
+function onBase(model, {ofBase, P}, prescribed) {
+  const {width, weight, weight_moment: weightMoment, uplift_moment_per_force} = model.base;
+  const arm = (pushesSeawardAlone(P) ? -1 : 1) * Math.abs(uplift_moment_per_force);
   const U = ofBase.uplift.map((value, n) => value + (prescribed ? prescribed[n] : 0));
   const uplifting = ofBase.uplift_moment.map((value, n) => value + (prescribed ? arm * prescribed[n] : 0));
   const N = ofBase.normal_force.map((value, n) => value - U[n] + weight);

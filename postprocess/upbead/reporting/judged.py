@@ -71,6 +71,11 @@ def checked(summary):
         return say("No check has a limit.") if checks else ""
     if failed and all("worst_run" in check for check in failed):
         return tag("strong", in_runs(failed, summary), class_="fails")
+    unjudged = [check for check in asked if check.get("unjudged")]
+    if unjudged and not failed:
+        counts = [phrase("{name} in {count}", name=prose(words_of(check["name"])), count=check["unjudged"]) for check in unjudged]
+        words = phrase("Given limits could not be judged in some of {runs} runs: {names}.", runs=summary["runs"], names=listed(counts))
+        return tag("strong", words, class_="fails")
     if failed:
         names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))
         words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)

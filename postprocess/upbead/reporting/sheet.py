@@ -52,6 +52,9 @@ def result(check):
         return tag("strong", say("does not hold"), *in_runs(check), class_="fails")
     if check.get("why_not"):
         return tag("span", say("not checked"), ": ", prose(told(check["why_not"])), class_="long")
+    if told_of.is_judged(check) and check.get("unjudged"):
+        words = phrase("holds in {judged} runs, not checked in {unjudged}", judged=check["judged"], unjudged=check["unjudged"])
+        return tag("strong", words, class_="fails")
     return say("holds") if told_of.is_judged(check) else say("no limit given")
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/run_end.h"
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "model/words.h"
@@ -29,7 +30,7 @@ History prescribed(const UpliftChoice& uplift, const CompiledScene& compiled, co
     for (const double t : *more)
       if (t < time.back()) U.time.push_back(t);
   std::sort(U.time.begin(), U.time.end());
-  for (const double t : U.time) U.value.push_back(of_time(t));
+  for (const double t : U.time) U.value.push_back(until_end(of_time, t, time.back()));
   return U;
 }
 

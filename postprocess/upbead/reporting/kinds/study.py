@@ -5,7 +5,7 @@ import numpy as np
 from .. import figure
 from ..head import card
 from .frame import result_section
-from ..language import heads, phrase, say, told
+from ..language import heads, named, phrase, say, told
 from ..markup import Markup, fold, join, prose, table, tag
 from ..plot import Line, Panel, Plot
 from ..units import plain, quantity
@@ -15,7 +15,7 @@ from ...study_axes import default_axes, in_words, is_drawn, rank_correlation, sp
 COMMAND = "study"
 KIND = "Report of a study by upbead"
 QUESTION = "How do the answers depend on the keys that were varied?"
-FLAGS = ("checks_failing", "warnings")  # columns of every study
+FLAGS = ("checks_failing", "warnings", "void")  # columns of every study
 MOST_LINES = 6  # as many colours
 MOST_ROWS = 400
 SHARES = (5, 50, 95)
@@ -26,6 +26,8 @@ def verdict(study):
     failed = len(study.failed)
     if failed:
         words.append(tag("strong", phrase("{count} more failed, and nothing here knows of them.", count=failed), class_="fails"))
+    if study.void.any():
+        words.append(tag("strong", void_runs(study), class_="fails"))
     cards = [extent_card(study, name) for name in numeric(study)[:3]]
     for name in numeric(study)[:1]:
         low, high = extent(study, name)
@@ -38,13 +40,26 @@ def verdict(study):
     return words, cards
 
 
+def void_runs(study):
+    """How many runs are void, why, and that numbers over all runs are without them."""
+    why = join([named(name) for name in dict.fromkeys(name for row in study.rows for name in (row.get("void") or "").split("; ") if name)], ", ")
+    left = say("All runs are void.") if study.void.all() else say("They are left out of the figures and of all numbers over runs.")
+    return join([phrase("Of {count} runs no verdict may be drawn: {why}.", count=int(study.void.sum()), why=why), " ", left])
+
+
+def sound_numbers(study, name):
+    """A column with nan in void runs, unless all are void; None of words."""
+    values = study.numbers(name)
+    return values if values is None or study.void.all() else np.where(study.void, np.nan, values)
+
+
 def numeric(study):
     """The numbers read from the runs that at least one run has."""
-    return [name for name in study.reads if study.numbers(name) is not None and np.isfinite(study.numbers(name)).any()]
+    return [name for name in study.reads if study.numbers(name) is not None and np.isfinite(sound_numbers(study, name)).any()]
 
 
 def extent(study, name):
-    values = study.numbers(name)
+    values = sound_numbers(study, name)
     return float(np.nanmin(values)), float(np.nanmax(values))
 
 
@@ -89,7 +104,7 @@ def axes(study):
 
 def drawn(study, name, key):
     """A figure of one number against one key."""
-    x, y, random = study.numbers(key), study.numbers(name), is_drawn(study, key)
+    x, y, random = study.numbers(key), sound_numbers(study, name), is_drawn(study, key)
     good = np.isfinite(x) & np.isfinite(y)
     if good.sum() < 2:
         return ""
@@ -125,7 +140,7 @@ def spread(study):
     """Least, median and largest of each number."""
     rows = []
     for name in numeric(study):
-        values = study.numbers(name)
+        values = sound_numbers(study, name)
         values = values[np.isfinite(values)]
         row = [values.min(), *np.percentile(values, SHARES), values.max()]
         rows.append((join([title_of(name), " ", tag("code", name)]), *(value_of(name, float(value)) for value in row)))
