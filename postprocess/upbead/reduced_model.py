@@ -114,6 +114,7 @@ class ReducedModel(Shown):
         self._read_modes(file["modes"])
         self.loads, self.readings = _texts(file["loads/name"]), _texts(file["readings/name"])
         self.duration = file["loads/duration"][()]  # s, of each load in the case
+        self.load_units = dict(zip(self.loads, _texts(file["loads/unit"]))) if "loads/unit" in file else {}
         self.units = dict(zip(self.readings, _texts(file["readings/unit"])))
         self.descriptions = dict(zip(self.readings, _texts(file["readings/description"])))
         self.validity = dict(file["validity"].attrs)

@@ -11,8 +11,10 @@ from .errors import ModelError
 HEADING = re.compile(r"^\s*\"?(.*?)\"?\s*(?:[(\[]([^()\[\]]*)[)\]]|\s/\s*([^/\s]+(?:/m2?)?))?\s*$")
 TIMES = re.compile(r"^(time|t|zeit|temps|tiempo|tempo|tijd|tid|sec|seconds|elapsed time|simulation time)$", re.IGNORECASE)
 COUNTERS = re.compile(r"^(|#|part|step|steps|no\.?|nr\.?|index|i|n|id|sample|samples|row|count|counter|frame|time ?step)$", re.IGNORECASE)
-FACTORS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0, "N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "Pa": 1.0, "kPa": 1e3,
-           "MPa": 1e6, "": 1.0}
+OF_TIME = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0, "": 1.0}
+OF_LOAD = {"N/m": {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "": 1.0}, "Pa": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "": 1.0}}
+# a unit of a force or a pressure as a part of a name; here it is refused, where the program reads it at the end of a name
+UNREAD = re.compile(r"[\s_/.-]([kMG]?N|[kKMGhH]?Pa|KN|MPA|KPA|m?bar|psi|kgf|tf|gf|lbf|kips?|mH2O|mAq)([\s_/.-]|$)")
 
 
 def headings(row):
@@ -50,12 +52,24 @@ def read_wave(path, model):
     if len(columns) < 2 or len(columns) != len(header):
         raise ModelError(f"'{path}': give a time (s) and a load in every row")
     names, units = zip(*headings(header))
-    for name, unit in zip(names, units):
-        if unit not in FACTORS:
-            raise ModelError(f"'{path}': the unit '{unit}' of '{name}' is none of {', '.join(filter(None, FACTORS))}")
-    columns = [FACTORS[unit] * column for unit, column in zip(units, columns)]
+    columns = [OF_TIME.get(unit, 1.0) * column if TIMES.match(name) else column for name, unit, column in zip(names, units, columns)]
     time = time_column(names, columns, path)
     values = [c for c in range(len(names)) if c != time and not is_counter(names[c], columns[c]) and not TIMES.match(names[c])]
-    if len(values) == 1 and len(model.loads) == 1:
-        return columns[time], {model.loads[0]: columns[values[0]]}
-    return columns[time], {names[c]: columns[c] for c in values}
+    of = {c: model.loads[0] if len(values) == len(model.loads) == 1 else names[c] for c in values}
+    if len(set(of.values())) < len(of):
+        raise ModelError(f"'{path}': two columns are called alike: {', '.join(names[c] for c in values)}; give each load once")
+    if not TIMES.match(names[time]):
+        columns[time] = OF_TIME.get(units[time], 1.0) * columns[time]
+    factor_of(names[time], units[time], OF_TIME, path)
+    known = getattr(model, "load_units", {})
+    factors = {c: factor_of(names[c], units[c], OF_LOAD.get(known.get(name, ""), OF_LOAD["N/m"] | OF_LOAD["Pa"]), path, model.loads) for c, name in of.items()}
+    return columns[time], {name: factors[c] * columns[c] for c, name in of.items()}
+
+
+def factor_of(name, unit, units, path, own=()):
+    """To SI; a unit that is none of these, or that the name hides, is refused."""
+    hidden = name not in own and UNREAD.search(name)
+    if unit not in units or (unit == "" and hidden):
+        said = f"the unit '{unit}' of" if unit else f"the unit '{hidden.group(1)}' in the name"
+        raise ModelError(f"'{path}': {said} '{name}' is not read; write one of {', '.join(filter(None, units))} in brackets behind it")
+    return units[unit]

@@ -95,7 +95,9 @@ class ReducedModels(unittest.TestCase):
         np.testing.assert_allclose(loads["impact"], [0, 1.6e6, 0])
         self.assert_same(wave, time, loads)
         for text, words in (("Part,slow\n0,0\n1,1\n", "is a counter"), ("Time,Time,slow\n0,0,0\n1,2,1\n", "differ"),
-                            ("t,slow (mm)\n0,0\n1,1\n", "the unit 'mm'")):
+                            ("t,slow (mm)\n0,0\n1,1\n", "the unit 'mm'"), ("t,slow (kPa)\n0,0\n1,1\n", "the unit 'kPa'"),
+                            ("t,slow (ms)\n0,0\n1,1\n", "the unit 'ms'"), ("t,slow_kN_m\n0,0\n1,1\n", "the unit 'kN' in the name"),
+                            ("t (kN/m),slow\n0,0\n1,1\n", "the unit 'kN/m'"), ("t,slow,slow\n0,0,1\n1,1,0\n", "two columns")):
             wave.write_text(text)
             with self.assertRaisesRegex(ModelError, words):
                 read_wave(wave, model)

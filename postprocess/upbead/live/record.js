@@ -6,6 +6,9 @@ const LOAD_UNITS = {"N/m": {"N/m": 1, "kN/m": 1e3, "MN/m": 1e6}, Pa: {Pa: 1, kPa
 const TIME_NAMES = ["time", "t", "zeit", "temps", "tiempo", "tempo", "時間", "時刻"];
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
+// A unit of a force or a pressure as a part of a name: upbead respond reads some of them, this page none.
+const UNREAD = /[\s_/.-]([kMG]?N|[kKMGhH]?Pa|KN|MPA|KPA|m?bar|psi|kgf|tf|gf|lbf|kips?|mH2O|mAq)(?=[\s_/.-]|$)/;
+
 function separatorOf(header) {
   if (header.includes(";")) return ";";
   return header.includes("\t") && !header.includes(",") ? "\t" : ",";
@@ -32,8 +35,11 @@ function tableOf(text) {
   const separator = separatorOf(lines[first].line), heads = lines[first].line.split(separator).map(heading);
   if (heads.every(({name}) => NUMBER.test(name)))
     throw new Error("the first line holds numbers, not the names of the columns: put a header line such as time,force above them");
-  const body = lines.slice(first + 1), rows = body.map(({line, at}) => {
+  const body = lines.slice(first + 1), commas = separator !== "," && body.some(({line}) => line.includes(","));
+  const rows = body.map(({line, at}) => {
     const cells = line.split(separator);
+    if (commas && cells.some((cell) => cell.includes(".")))
+      throw new Error(`line ${at}: a point where other numbers have decimal commas: leave out what groups thousands`);
     if (cells.length !== heads.length) throw new Error(`line ${at}: ${cells.length} cells, in the header ${heads.length}`);
     return cells.map((cell) => number(cell, separator, `line ${at}`));
   });
@@ -42,7 +48,9 @@ function tableOf(text) {
 
 const isTime = ({name, unit}) => TIME_NAMES.includes(name.toLowerCase()) || unit in TIME_UNITS;
 
-function factorOf({name, unit}, units, wanted) {
+function factorOf({name, unit}, units, wanted, own = "") {
+  const hidden = unit === "" && name !== own && UNREAD.exec(name);
+  if (hidden) throw new Error(`the name '${name}' holds '${hidden[1]}', a unit that is not read there: write it in brackets behind the name, one of ${Object.keys(units).join(", ")}`);
   if (unit === "") return 1;
   if (unit in units) return units[unit];
   throw new Error(`the unit '${unit}' of column '${name}' is none of ${wanted}; write one of ${Object.keys(units).join(", ")}`);
@@ -76,7 +84,7 @@ export function readRecord(text, loads) {
   requireAscending(time, lines);
   const wave = {time, loads: loads.map(() => rows.map(() => 0))};
   columns.forEach((k, i) => {
-    const unit = loads[k].unit, factor = factorOf(heads[i + 1], LOAD_UNITS[unit] || {}, `the load, ${unit}`);
+    const unit = loads[k].unit, factor = factorOf(heads[i + 1], LOAD_UNITS[unit] || {}, `the load, ${unit}`, loads[k].name);
     wave.loads[k] = rows.map((row) => row[i + 1] * factor);
   });
   if (wave.loads.every((values) => values.every((value) => value === 0)))
