@@ -10,6 +10,7 @@ from typing import Any
 from .errors import UserError
 
 BARE = re.compile(r"^[A-Za-z0-9_-]+$")
+CONTROL = re.compile("[\x00-\x1f\x7f]")
 
 
 def toml_value(value: Any) -> str:
@@ -22,11 +23,13 @@ def toml_value(value: Any) -> str:
         value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, int) and abs(value) >= 2**63:  # TOML's integers have 64 bits
+        return repr(float(value))
     if isinstance(value, (int, float)):
         return repr(value)  # inf and nan are the same words in TOML
     if isinstance(value, (str, Path)):
         escaped = str(value).replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
-        return f'"{escaped}"'
+        return '"' + CONTROL.sub(lambda found: "\\u%04X" % ord(found.group()), escaped) + '"'
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{toml_value(str(key))} = {toml_value(v)}" for key, v in value.items()) + "}"
     if isinstance(value, (list, tuple)):

@@ -122,7 +122,8 @@ class Program(InFolder):
 
     def test_values_as_toml(self):
         for value, text in ((np.float64(0.5), "0.5"), (np.array([1, 2]), "[1, 2]"), (float("inf"), "inf"),
-                            (False, "false"), ('a "b" \\', '"a \\"b\\" \\\\"'), (np.bool_(True), "true")):
+                            (False, "false"), ('a "b" \\', '"a \\"b\\" \\\\"'), (np.bool_(True), "true"), (10**30, "1e+30"), (-(2**63), "-9.223372036854776e+18"),
+                            ("a\nb\x01", '"a\\nb\\u0001"')):
             self.assertEqual(toml_value(value), text)
         with self.assertRaisesRegex(upbead.UserError, "has no form in TOML"):
             toml_value(None)

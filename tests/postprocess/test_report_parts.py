@@ -18,10 +18,11 @@ import h5py
 import numpy as np
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
-sys.path.insert(0, str(SCRIPTS))
+sys.path[:0] = [str(SCRIPTS), str(Path(__file__).parents[1] / "support")]
 
 from report import corners, document, drawing, geometry, input_tables, inputs, labels, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
-from report import author, construction, head, loads, sheet, yielding, zones  # noqa: E402
+from report import author, construction, head, loads, sensitivity, sheet, yielding, zones  # noqa: E402
+from hand_made_model import write_oscillator  # noqa: E402
 from upbead import typeset  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
@@ -484,6 +485,17 @@ class Construction(unittest.TestCase):
         page = construction.section({"construction": {"stages": [self.GROUND], "falls_in": "mound", "caisson": None}})
         self.assertIn("The stage mound has no state at rest.", page)
         self.assertNotIn("Since it was set down", page)
+
+
+class OtherWaves(unittest.TestCase):
+    def test_they_are_promised_only_where_the_page_answers_them(self):
+        with tempfile.TemporaryDirectory() as name:
+            result = SimpleNamespace(folder=Path(name), case={})
+            self.assertFalse(sensitivity.pointer(result))
+            write_oscillator(Path(name) / "reduced.h5")
+            self.assertIn("Other waves", str(sensitivity.pointer(result)))
+            result.case = {"mesh": {"degree": 2}}
+            self.assertFalse(sensitivity.pointer(result), "of another scene")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ from .language import heads, phrase, say
 from .markup import Markup, prose, table, tag
 from .measures import at
 from .units import quantity
+from ..live.scene import of_same_scene
 
 SHARE = 0.1
 SAME = 1e-3  # relative: accuracy of F_T between the times of the file
@@ -114,6 +115,6 @@ def courses(sliding):
 
 
 def pointer(result):
-    if not (result.folder / "reduced.h5").is_file():
+    if not of_same_scene(result.folder / "reduced.h5", result.case):
         return ""
     return tag("p", phrase("Other waves, friction, weight and uplift are answered at once under “{title}” on the screen.", title=say("What if")))
