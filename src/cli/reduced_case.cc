@@ -16,6 +16,7 @@
 #include "findings/finding.h"
 #include "model/exclusions.h"
 #include "model/words.h"
+#include "respond/respond_warnings.h"
 #include "response/shear_response.h"
 #include "run/derived.h"
 #include "run/sliding/slip_ahead.h"
@@ -185,6 +186,7 @@ bool is_of_loads(const NumberedWarning& warning) {
 
 NumberedWarnings Reduced::warnings() const {
   NumberedWarnings all = file.warnings;
+  append(all, uplift_warnings(file));
   append(all, of_loads);
   return all;
 }

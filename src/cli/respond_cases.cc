@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/input_files.h"
+#include "case/scene_text.h"
 #include "case/script_trust.h"
 #include "cli/reduced_case.h"
 #include "fem/compile.h"
@@ -66,6 +67,35 @@ WaveFile as_wave(const std::string& name, const SampledLoads& loads, const std::
   return file;
 }
 
+/// A load of the case that acts and that the model does not have would be left out.
+void require_all_loads(const Case& input, const System& system, const SampledLoads& loads, const std::vector<int>& rows,
+                       const std::vector<std::string>& names) {
+  const std::string joined = ".pore_pressure";  // join_pore_pressures() has it in the load before
+  for (int k = 0; k < static_cast<int>(system.loads.size()); ++k) {
+    const std::string& name = system.loads[static_cast<std::size_t>(k)].name;
+    const bool is_joined = name.size() > joined.size() && name.substr(name.size() - joined.size()) == joined;
+    const bool acts = !loads.begin.row(k).isZero(0.) || !loads.end.row(k).isZero(0.);
+    if (acts && !is_joined && std::find(rows.begin(), rows.end(), k) == rows.end())
+      throw InputError(input.place(dotted("loads", name)),
+                       in_quotes(name) + " is no load of the model; its loads are " + join(names),
+                       "reduce the case with all its loads, or let this one have factor = 0");
+  }
+}
+
+/// Warning model_of_other_scene: only the loads' histories are of the case.
+NumberedWarnings scene_warnings(const Case& input, const ReducedModelFile& model) {
+  const std::string text = effective_case(input, ".");
+  std::vector<std::string> names = tables_that_differ(model.case_text, text);
+  append(names, actions_that_differ(model.case_text, text));
+  if (names.empty()) return {};
+  return {{"model_of_other_scene", static_cast<double>(names.size()), 0., "1",
+           in_quotes(input.stem) +
+               " is of another scene than the model, which answers the histories of its loads in "
+               "its own: they differ in " +
+               join(names, ", "),
+           "reduce that case, too, or solve it by 'upbead run'"}};
+}
+
 WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
   Case input = case_with_loads(path);
   const Simulation simulation = simulation_of(input, settle_end(input));
@@ -74,7 +104,11 @@ WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
   if (std::all_of(rows.begin(), rows.end(), [](int row) { return row < 0; }))
     throw InputError(input.place("loads"), "the case has no load of the model: " + join(model.modes.load_name),
                      "name a load as in the case that was reduced");
-  WaveFile wave = as_wave(input.stem, sampled_loads(simulation.scene(), system), rows);
+  const SampledLoads loads = sampled_loads(simulation.scene(), system);
+  require_all_loads(input, system, loads, rows, model.modes.load_name);
+  WaveFile wave = as_wave(input.stem, loads, rows);
+  wave.rings_down = true;
+  append(wave.notes.warnings, scene_warnings(input, model));
   append(wave.notes.warnings, warnings_of_case(input, simulation).loads);
   return wave;
 }

@@ -92,7 +92,8 @@ int serve(const RespondArguments& arguments, const RespondCases& cases) {
   RespondOptions options{arguments.end, sliding_of(arguments, soils->frame), {}, {}};
   options.histories.names = names_in(arguments.histories);
   std::vector<WaveFile> waves = waves_of(arguments, cases, soils->frame);
-  std::cerr << notes_of(waves) << describe(warnings_of_files(waves));
+  std::cerr << notes_of(waves) << describe(warnings_of_options(arguments, soils->frame))
+            << describe(warnings_of_files(waves));
   const auto server = [&] {
     SoilAnswers answers(std::move(*soils), arguments.model);
     try {
@@ -136,7 +137,8 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
   folder.write("responses.h5", response_file(answered, responses));
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
-  NumberedWarnings warnings = warnings_of_files(waves);
+  NumberedWarnings warnings = warnings_of_options(arguments, loaded.model);
+  append(warnings, warnings_of_files(waves));
   append(warnings, force_warnings(loaded.model, waves, responses));
   append(warnings, warnings_of_answers(loaded.model, responses));
   const Json summary = to_json(answered, responses, timing, warnings);
@@ -207,9 +209,11 @@ Command respond_command(const RespondCases& cases) {
        "NAMES"},
       {"--end", &arguments->end, "how long to answer (default: as long as the waves or the case)", "S"},
       {"--friction", &arguments->friction,
-       "friction coefficient of the caisson's bottom, for S (default: [sliding] of the model's case)", "MU"},
+       "friction coefficient of the caisson's bottom, for S and factors (default: [sliding] of the model's case)",
+       "MU"},
       {"--buoyant-weight", &arguments->submerged_weight,
-       "W' of the caisson in still water, for S (default: [sliding] of the model's case)", "N/m"}};
+       "W' of the caisson in still water, for S, pressures and factors (default: [sliding] of the model's case)",
+       "N/m"}};
   command.footer = respond_footer;
   command.work = [arguments, cases, since_start = Stopwatch()] { return respond(*arguments, cases, since_start); };
   return command;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "model/quantities.h"
 #include "sliding/still_water_push.h"
 
 namespace upbead {
@@ -87,6 +88,18 @@ std::optional<ModelSliding> sliding_of(const RespondArguments& arguments, const 
                  "leave out --friction and --buoyant-weight, or reduce a case with a caisson");
   mistakes.throw_if_any();
   return sliding;
+}
+
+NumberedWarnings warnings_of_options(const RespondArguments& arguments, const ReducedModelFile& model) {
+  constexpr double g = 9.81;
+  // scaled cases may have more gravity: then their own W' is above that
+  const double weight = std::max(model.caisson_mass * g, model.base ? model.base->weight : 0.);
+  const Quantity of_weight{"1", 0.02, 1., 0.2, 1., {{"kN/m", 1e3}, {"MN/m", 1e6}, {"t/m", 1e3 * g}, {"kg/m", g}}};
+  NumberedWarnings list;
+  judge("--friction", arguments.friction, quantities::friction, list);
+  judge("--buoyant-weight", arguments.submerged_weight,
+        of(of_weight, weight, "N/m", "W' is less than the weight in air, its upper bound here"), list);
+  return list;
 }
 
 std::vector<WaveFile> waves_of(const RespondArguments& arguments, const RespondCases& cases,

@@ -27,6 +27,9 @@ void check(const RespondArguments& arguments);
 /// The sliding to compute: what the model knows of its case's [sliding], changed by the options.
 std::optional<ModelSliding> sliding_of(const RespondArguments& arguments, const ReducedModelFile& model);
 
+/// Warning implausible where a number of the options is none of a caisson like the model's, such as kN/m for N/m.
+NumberedWarnings warnings_of_options(const RespondArguments& arguments, const ReducedModelFile& model);
+
 /// Waves of files, then those that are the loads of cases; of a case alone its own.
 std::vector<WaveFile> waves_of(const RespondArguments& arguments, const RespondCases& cases,
                                const ReducedModelFile& model);

@@ -25,19 +25,6 @@ NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
            "\"friction\")"}};
 }
 
-/// Warning uplift_left_out: the case has a record of an uplift, which belongs to its own wave.
-NumberedWarnings uplift_warnings_of(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
-  if (!model.sliding || model.sliding->uplift != "history") return {};
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const bool slides = !waves.empty() && waves.front().wave->sliding.has_value();
-  const std::string base = "the case prescribes its uplift by a record, which belongs to its own wave: ";
-  return {
-      {"uplift_left_out", 0., 0., "N/m",
-       base + (slides ? "S, pressures and margins of these waves are without any uplift, too large a W' - U"
-                      : "S, pressures and margins of these waves are not told"),
-       "give [sliding.uplift] a peak, or kind = \"computed\", and reduce again, or solve the wave by 'upbead run'"}};
-}
-
 /// Warning slides_on: S is that of loads that stop where the wave ends.
 NumberedWarnings endless_warnings(const std::vector<WaveResponses>& files) {
   const std::vector<AnsweredWave> waves = all_waves(files);
@@ -177,11 +164,20 @@ NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector
   return list;
 }
 
+NumberedWarnings uplift_warnings(const ReducedModelFile& model) {
+  if (!model.sliding || model.sliding->uplift != "history") return {};
+  return {{"uplift_left_out", 0., 0., "",
+           "[sliding.uplift] of the model's case is a record that belongs to its own wave: no answer of the model has "
+           "an uplift, S has no value without --friction and --buoyant-weight, and with them S, pressures and factors "
+           "are those of a base without uplift",
+           "give the uplift by its peak or as computed before the case is reduced, or solve the wave by 'upbead run'"}};
+}
+
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   NumberedWarnings list = model.warnings;
-  for (const NumberedWarnings& more :
-       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), endless_warnings(files),
-        uplift_warnings_of(model, files), lift_warnings_of(files), circle_warnings_of(files)})
+  append(list, uplift_warnings(model));
+  for (const NumberedWarnings& more : {band_warnings(model, files), error_warnings(model, files), slip_warnings(files),
+                                       endless_warnings(files), lift_warnings_of(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

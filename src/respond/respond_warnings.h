@@ -18,6 +18,9 @@ NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files);
 NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                 const std::vector<WaveResponses>& responses);
 
+/// Warning uplift_left_out: the case's prescribed uplift is a record of its own wave, which no answer has.
+NumberedWarnings uplift_warnings(const ReducedModelFile& model);
+
 /// Waves beyond the model's frequencies, of a large error or without one, slips that could not be computed, slip
 /// circles.
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -20,6 +21,7 @@
 #include "respond/wave_grid.h"
 #include "respond/wave_reading.h"
 #include "upbead/base/error.h"
+#include "upbead/base/still_water.h"
 #include "upbead/sliding/base_pressure.h"
 
 namespace upbead {
@@ -92,11 +94,24 @@ class AllWaveChecks {
   std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
+/// The base under the W' that is asked for, which stands as far from the middle as that of the model's case; what still
+/// water at two levels adds stays (findings/effective_base.cc).
+ModelBase base_with(const ReducedModelFile& model, const std::optional<ModelSliding>& sliding) {
+  ModelBase base = *model.base;
+  if (!sliding || sliding->submerged_weight == base.weight) return base;
+  const StillWater still = model.still.value_or(StillWater());
+  const double of_water = still.push_moment + still.weight * base.width / 6., own = base.weight - still.weight;
+  const double ratio = (sliding->submerged_weight - still.weight) / own;
+  base.weight = sliding->submerged_weight;
+  base.weight_moment = ratio * (base.weight_moment - of_water) + of_water;
+  return base;
+}
+
 /// Effective forces and pressures on the base, at the times of a grid.
 class BaseAnswer {
  public:
-  BaseAnswer(const ReducedModelFile& model, const WaveGrid& grid)
-      : base_(*model.base),
+  BaseAnswer(const ReducedModelFile& model, const std::optional<ModelSliding>& sliding, const WaveGrid& grid)
+      : base_(base_with(model, sliding)),
         normal_(one_reading(model.modes, reading::normal_force), grid),
         moment_(one_reading(model.modes, reading::base_moment), grid),
         uplift_(one_reading(model.modes, reading::uplift), grid),
@@ -183,6 +198,16 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
+/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
+/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads.
+double echo_of(const ReducedModelFile& model) {
+  double period = 0., load = 0.;
+  for (const std::complex<double>& pole : model.modes.pole)  // one that decays within a period does not swing on
+    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
+  return std::min(3. * period, std::max(0., model.end - load));
+}
+
 /// What the waves of one file have in common, and their results.
 class FileWork {
  public:
@@ -193,14 +218,15 @@ class FileWork {
         options_(common.options),
         force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
         longest_step_(longest_step(common, file)),
-        grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
+        grid_(make_wave_grid(file.time, longest_step_,
+                             options_.end ? *options_.end : end_of_answer(file, model_.end, echo_of(model_)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
         checks_(common.checks.of(check_time_)),
         shear_answer_(shear_, grid_),
         histories_(model_.modes, options_.histories, grid_) {
     if (options_.sliding && options_.sliding->uplift == "computed")
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
-    if (common.asks_for_base()) base_.emplace(model_, grid_);
+    if (common.asks_for_base()) base_.emplace(model_, options_.sliding, grid_);
     if (base_ && model_.circles) circles_.emplace(*model_.circles, grid_);
     if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves() *

@@ -13,7 +13,7 @@
 namespace upbead {
 
 struct RespondOptions {
-  std::optional<double> end;            ///< end of the response (s); none: end of the waves, or of the case if later
+  std::optional<double> end;  ///< of the response (s); none: of the case, or later of the waves with their echo
   std::optional<ModelSliding> sliding;  ///< for S; its uplift is not `history`
   std::string why_no_slip{};            ///< why a model has no coupled slip that others have where S is asked for
   AskedHistories histories{};           ///< readings whose histories are kept

@@ -15,7 +15,8 @@ struct WaveFile {
   std::vector<double> time;  ///< N >= 2, ascending, not negative (s)
   WaveSamples value;         ///< N columns; the K loads of the first wave, then those of the second ...
   int n_loads = 0;
-  RecordNotes notes;  ///< how the file was read
+  RecordNotes notes;        ///< how the file was read
+  bool rings_down = false;  ///< its times go on for as long as is asked for after its loads, as those of a case do
 
   int n_waves() const { return static_cast<int>(value.rows()) / n_loads; }
   /// The loads of a wave, K x N.

@@ -48,7 +48,26 @@ std::size_t index_of(double t, const std::vector<double>& time) {
   return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
 }
 
+/// When the last load of all waves is over (s): what is left then is less than a thousandth of the largest. 0 where the
+/// file is cut off under load: more than a twentieth of the largest is left.
+double end_of_loads(const WaveFile& file) {
+  const double largest = file.value.cwiseAbs().maxCoeff(), least = 1e-3 * largest;
+  if (file.value.rightCols(1).cwiseAbs().maxCoeff() > 0.05 * largest) return 0.;
+  for (std::size_t n = file.time.size(); n-- > 0;)
+    if (file.value.col(static_cast<Eigen::Index>(n)).cwiseAbs().maxCoeff() > least)
+      return file.time[std::min(n + 1, file.time.size() - 1)];
+  return 0.;
+}
+
 }  // namespace
+
+double end_of_answer(const WaveFile& file, double end, double echo) {
+  const double last = file.time.back(), longer = std::max(last, end);
+  const double wanted = file.rings_down ? 0. : end_of_loads(file) + echo;
+  if (wanted <= longer * (1. + 1e-9)) return longer;
+  const std::optional<double> own = equal_step(file.time);  // whole steps, so that all stay equal
+  return own ? last + *own * std::ceil((wanted - last) / *own * (1. - 1e-9)) : wanted;
+}
 
 WaveGrid make_wave_grid(const std::vector<double>& time, double longest_step, double end) {
   WaveGrid grid;

@@ -16,6 +16,10 @@ struct WaveGrid {
   std::optional<std::size_t> last;  ///< index of the waves' last time, where the grid goes on after it
 };
 
+/// When the answer to a file's waves ends (s): not before `end`, and `echo` after the last of their loads, but with a
+/// file that is cut off under load.
+double end_of_answer(const WaveFile& file, double end, double echo);
+
 /// No part of the grid is longer than `longest_step` (s). Times that start at 0 with equal steps no longer than that
 /// are kept, and continue with the same step up to `end` or the first time past it; longer steps are cut into equal
 /// parts if these meet `end`. Throws InputError (without a place) where there would be more than 10,000,000 times.

@@ -147,6 +147,37 @@ class Reduced(ProgramTest):
                  for found in (run, self.told("respond", "lifts/reduced.h5", "three.csv", "--out", "three")["warnings"])]
         self.assertAlmostEqual(lifts[1]["value"] / lifts[0]["value"], 1, delta=0.01)
 
+    def scene(self, name, *changes):
+        text = CASE.read_text().replace('"fig2b', f'"{CASES}/fig2b').replace("[mesh.parameters]  # m", "[mesh.parameters]\ncells = 0.5")
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        (self.folder / name).write_text(text)
+        return name
+
+    def test_another_weight_and_friction_move_all_numbers_as_in_a_run(self):
+        own, other = self.scene("own.toml"), self.scene("other.toml", ("friction = 0.6", "friction = 0.5"), ("4.296e6", "3e6"))
+        self.told("reduce", own, "--out", "model")
+        asked = ["--friction", 0.5, "--buoyant-weight", 3e6, "--out", "answer"]
+        wave, run = self.told("respond", "model/reduced.h5", own, *asked)["waves"][0], self.told("run", other, "--out", "run")
+        for key in ("peak_heel_pressure", "least_overturning_margin"):
+            self.assertAlmostEqual(wave[key] / run["base"][key], 1, delta=2e-3, msg=key)
+        for option, value in (("--buoyant-weight", 3000), ("--buoyant-weight", 9e6), ("--friction", 6)):
+            told = self.told("respond", "model/reduced.h5", own, option, value, "--out", "unit")["warnings"]
+            self.assertEqual([w["name"] for w in told if option in w["text"]], ["implausible"], (option, value))
+
+    def test_a_case_as_a_wave_is_of_the_scene_of_the_model(self):
+        self.told("reduce", self.scene("own.toml"), "--out", "model")
+        slower, otherwise = ("factor = 0.0", "factor = 1.0"), ("direction = [1.0, 0.0]", "direction = [-1.0, 0.0]")
+        for table, *change in ((None,), ("loads.impulse", otherwise), ("regions.seabed", ("29.382e6", "20e6")),
+                               ("sliding", ("friction = 0.6", "friction = 0.3"))):
+            told = self.told("respond", "model/reduced.h5", self.scene("wave.toml", *change), "--out", "answer")["warnings"]
+            texts = [w["text"] for w in told if w["name"] == "model_of_other_scene"]
+            self.assertEqual([f"they differ in {table}" in text for text in texts], [True] if table else [])
+        refused = self.respond("model/reduced.h5", self.scene("slow.toml", slower))
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("'slow' is no load of the model; its loads are impulse", refused.stderr)
+
     def respond(self, *arguments):
         return upbead("respond", *arguments, cwd=self.folder)
 

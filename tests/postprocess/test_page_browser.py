@@ -136,12 +136,6 @@ class Page(unittest.TestCase):
         self.assertIn("more than the model's tolerance", said)
         self.assertGreater(self.call(NUMBER, "error_estimate"), 0.05)
 
-    def test_a_weight_that_is_not_the_models_is_noted(self):
-        self.show()
-        self.assertNotIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
-        self.call(TYPE, "weight", "3000")
-        self.assertIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
-
     def test_it_says_when_the_base_lifts(self):
         notes = "document.querySelector('.notes').textContent"
         self.show()
@@ -187,6 +181,10 @@ class Page(unittest.TestCase):
             "time,F\n1,2\n2,x\n": "line 3: 'x' is not a number",
             "time,F\n1,2\n2\n": "line 3: 1 cells",
             "time,F (m)\n1,2\n2,3\n": "unit 'm'",
+            "time,F_kN_m\n1,2\n2,3\n": "holds 'kN', a unit that is not read there",
+            "time,F / kN/m\n1,2\n2,3\n": "holds 'kN'",
+            "time,F_kN\n1,2\n2,3\n": "holds 'kN'",
+            "time;F (N/m)\n0,017;4.000\n0,02;0\n": "line 2: a point where other numbers have decimal commas",
             "time,F,G\n1,2,3\n2,3,4\n": "is no load of the model",
             "time,F\n1,0\n2,0\n": "zero throughout",
             "time\n1\n2\n": "without a load",
@@ -197,6 +195,11 @@ class Page(unittest.TestCase):
             said = self.drop(f"refused{number}.csv", text)
             self.assertIn(words, said)
             self.assertIn("was not read", said)
+
+    def test_an_uplift_that_is_a_record_is_told_at_the_head(self):
+        for uplift in ("in_phase", "history"):
+            text = document.document(model_data.model_data(made.changed(self.model, self.folder / f"{uplift}.h5", uplift=uplift)))
+            self.assertEqual("uplift_left_out" in text[: text.index("whatif")], uplift == "history")
 
     def test_begins_with_the_pulse_of_the_case(self):
         pulse = {"shape": "church_roof", "peak": 2e6, "rise": 0.02, "duration": 0.07, "plateau": 0.4, "plateau_duration": 0.9, "start": 0.01}

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "../output/sample_model.h"
+#include "respond/respond_warnings.h"
 #include "upbead/dynamics/modal_response.h"
 #include "upbead/sliding/block.h"
 
@@ -69,7 +70,7 @@ TEST(RespondWaves, AWaveOnEqualStepsJumpsWhereItEnds) {
 
 TEST(RespondWaves, AnswersAsLongAsTheWaveOrTheCaseOrAsAsked) {
   EXPECT_NEAR(answer(triangle(0.0005)).time.back(), 4., 1e-12);
-  EXPECT_NEAR(answer(wave({0., 5., 6.}, {0., 1., 0.})).time.back(), 6., 1e-12);
+  EXPECT_NEAR(answer(wave({0., 5., 6.}, {0., 1., 1.})).time.back(), 6., 1e-12) << "cut off under load";
   RespondOptions options;
   options.end = 0.1;
   for (const WaveFile& file : {triangle(0.0005), triangle(0.0375)}) {
@@ -79,6 +80,23 @@ TEST(RespondWaves, AnswersAsLongAsTheWaveOrTheCaseOrAsAsked) {
   }
   options.end = 1e6;
   EXPECT_THROW(answer(triangle(0.0005), options), InputError);
+}
+
+TEST(RespondWaves, AWaveAfterTheCaseRingsDownAsOneWithinIt) {
+  const double step = 0.0005;
+  WaveFile late = triangle(step);
+  const auto n = late.value.cols();
+  for (const double start : {3.8, 20.}) {
+    WaveFile file = triangle(step, 0., start + 0.15);
+    file.value.row(0).rightCols(n) = late.value.row(0);
+    const WaveResponse found = answer(file).waves[0], own = answer(late).waves[0];
+    EXPECT_NEAR(found.peak_shear_seaward, own.peak_shear_seaward, 1e-6 * own.peak_shear) << start;
+    EXPECT_LT(own.peak_shear_seaward, -0.1 * own.peak_shear) << "it swings back";
+    // the case was given 1 s after its longest load, less than three periods of 0.506 s
+    EXPECT_NEAR(answer(file).time.back(), start + 0.15 + 1., 2. * step);
+    file.rings_down = true;
+    EXPECT_NEAR(answer(file).time.back(), std::max(start + 0.15, 4.), 2. * step) << "as long as its case asks";
+  }
 }
 
 TEST(RespondWaves, PeaksAreFoundBetweenTheSamples) {
@@ -118,6 +136,17 @@ TEST(RespondWaves, TellsTheErrorOfEachWave) {
   for (const WaveFile& file : {triangle(0.0005), triangle(0.0375), wave({0., 0.0749, 0.075, 0.15}, {0., 1., 1.2, 0.})})
     EXPECT_NEAR(*respond_to_waves(model, {file}, {}).front().waves[0].error_estimate, bound, 0.02 * bound);
   EXPECT_EQ(respond_to_waves(model, {triangle(0.0005, 0.)}, {}).front().waves[0].error_estimate, 0.) << "no wave";
+}
+
+TEST(RespondWaves, TellsOfAnUpliftThatItLeavesOut) {
+  ReducedModelFile model = oscillator();
+  for (const bool is_record : {false, true}) {
+    model.sliding = ModelSliding{0.6, 1e6, 0., is_record ? "history" : "in_phase"};
+    int told = 0;
+    for (const NumberedWarning& warning : warnings_of_answers(model, respond_to_waves(model, {triangle(0.0005)}, {})))
+      told += warning.name == "uplift_left_out";
+    EXPECT_EQ(told, is_record);
+  }
 }
 
 TEST(RespondWaves, SlidesAsTheBlockDoesUnderTheWholeHistory) {

@@ -139,9 +139,18 @@ def document(model=None, design=None, summaries=()):
     return whole(title, before + inside, script(model, design))
 
 
+# as src/respond/respond_warnings.cc tells it
+UPLIFT_LEFT_OUT = {
+    "name": "uplift_left_out",
+    "cure": "choose an uplift above the answer, or solve the wave by 'upbead run'",
+    "text": "[sliding.uplift] of the case is a record of its own wave, which no answer here has: S, pressures and factors are without uplift until one is chosen",
+    "voids": False,
+}
+
+
 def of_scene(model):
     """What a summary would tell of the scene of a model, by its warnings."""
-    warnings = model.get("warnings", [])
+    warnings = [*model.get("warnings", []), *([UPLIFT_LEFT_OUT] if (model.get("sliding") or {}).get("uplift") == "history" else [])]
     return {"warnings": warnings, "why_void": "; ".join(one["name"] for one in warnings if one["voids"])}
 
 

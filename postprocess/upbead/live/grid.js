@@ -16,6 +16,24 @@ function equalStep(time) {
   return time.every((t, n) => Math.abs(t - n * step) <= 1e-6 * step) ? step : null;
 }
 
+// When the last load of a wave is over (s): what is left then is less than a thousandth of the largest. 0 where the wave is
+// cut off under load: more than a twentieth is left.
+function endOfLoads({time, loads}) {
+  const largest = loads.reduce((most, values) => values.reduce((one, value) => Math.max(one, Math.abs(value)), most), 0), least = 1e-3 * largest;
+  let n = time.length - 1;
+  if (loads.some((values) => Math.abs(values[n]) > 0.05 * largest)) return 0;
+  while (n >= 0 && loads.every((values) => Math.abs(values[n]) <= least)) --n;
+  return n < 0 ? 0 : time[Math.min(n + 1, time.length - 1)];
+}
+
+// When the answer to a wave ends (s): not before `end`, and `echo` after the last of its loads, but with a wave that is cut off under load.
+export function endOfAnswer(wave, end, echo) {
+  const last = wave.time[wave.time.length - 1], longer = Math.max(last, end), wanted = endOfLoads(wave) + echo;
+  if (wanted <= longer * (1 + 1e-9)) return longer;
+  const own = equalStep(wave.time);
+  return own === null ? wanted : last + own * Math.ceil((wanted - last) / own * (1 - 1e-9));
+}
+
 function appendParts({time, stretches}, to, longest) {
   const from = time[time.length - 1], n = Math.max(1, Math.ceil((to - from) / longest * (1 - 1e-9)));
   requireRoom(n + time.length, longest, to);

@@ -1,7 +1,7 @@
 // What a reduced model answers to one wave: the numbers of `upbead respond`, found as src/respond has them.
 import {baseExtremes, edgesOf} from "./base.js";
 import {circleOfWave, circlesOf} from "./circles.js";
-import {checkTimes, onGrid, requireRoom, waveGrid} from "./grid.js";
+import {checkTimes, endOfAnswer, onGrid, requireRoom, waveGrid} from "./grid.js";
 import {answers, modesOf} from "./modes.js";
 import {slideOnFriction} from "./slide.js";
 import {longestStep} from "./step.js";
@@ -61,10 +61,20 @@ function upliftOfForce({uplift, uplift_per_force, lag}, time, force) {
   });
 }
 
+// How long the section swings on after a load (s), as src/respond/respond_waves.cc has it.
+function echoOf({modes, loads, end}) {
+  let period = 0;
+  for (let m = 0; m < modes.count; ++m) {
+    const re = Math.abs(modes.pole[2 * m]), im = Math.abs(modes.pole[2 * m + 1]);
+    if (re < im) period = Math.max(period, 2 * Math.PI / im);
+  }
+  return Math.min(3 * period, Math.max(0, end - Math.max(...loads.map(({duration}) => duration))));
+}
+
 // Grid and histories of a wave. They stay the same while only friction, W' or the uplift change. mostTimes: about so many
 // times at most; fewer than `respond` takes where `rough`, each exact.
 export function histories(model, wave, slides, mostTimes = Infinity) {
-  const longest = longestStep(model, wave, slides), end = Math.max(wave.time[wave.time.length - 1], model.end);
+  const longest = longestStep(model, wave, slides), end = endOfAnswer(wave, model.end, echoOf(model));
   requireRoom(end / longest, longest, end);
   const rough = end > longest * mostTimes, grid = waveGrid(wave.time, rough ? end / mostTimes : longest, end), loads = onGrid(wave, grid.time);
   const endsAtZero = grid.last === null || loads.every((values) => values[grid.last] === 0);
@@ -78,10 +88,12 @@ export function histories(model, wave, slides, mostTimes = Infinity) {
   return {wave, grid, rough, longest, loads, P, smooth, smoothStart: grid.equal !== null && endsAtZero, F: y[0], ofBase: Object.fromEntries(ofBase.map((name, i) => [name, y[i + 1]]))};
 }
 
-// N', M' and U on the base; prescribed: an uplift besides the computed one, or null.
-function onBase(model, {ofBase, P}, prescribed) {
-  const {width, weight, weight_moment: weightMoment, uplift_moment_per_force} = model.base;
+// N', M' and U on the base under that W', which stands where the case's does; prescribed: an uplift besides the computed
+// one, or null.
+function onBase(model, {ofBase, P}, weight, prescribed) {
+  const {width, uplift_moment_per_force} = model.base;
   const arm = (pushesSeawardAlone(P) ? -1 : 1) * Math.abs(uplift_moment_per_force);
+  const weightMoment = model.base.weight_moment * (weight / model.base.weight);
   const U = ofBase.uplift.map((value, n) => value + (prescribed ? prescribed[n] : 0));
   const uplifting = ofBase.uplift_moment.map((value, n) => value + (prescribed ? arm * prescribed[n] : 0));
   const N = ofBase.normal_force.map((value, n) => value - U[n] + weight);
@@ -98,7 +110,7 @@ export function answerOf(model, history, sliding) {
   answer.U = computed || prescribed;
   Object.assign(answer, slideOnFriction(sliding, model.mass, grid.time, F, answer.U));
   if (!model.base) return answer;
-  const base = onBase(model, history, prescribed);
+  const base = onBase(model, history, sliding.weight, prescribed);
   const circle = model.circles && circleOfWave(model.circles, model.modes, base, F, history.loads, grid, history.smoothStart);
   return {...answer, N: base.N, M: base.M, ...edgesOf(base), worst: baseExtremes(base), circle};
 }

@@ -68,8 +68,6 @@ export function trustSentences({validity}, {beyond_band, error_estimate}) {
 export function notesOf(model, answer, sliding) {
   const notes = [];
   if (!sliding) return model.mass > 0 ? ["S and what presses on the base are told where friction and W′ are given."] : [];
-  if (answer.worst && Math.abs(sliding.weight - model.base.weight) > 1e-9 * model.base.weight)
-    notes.push(`N′, pressures and the margin are those of the case's own W′, ${quantity(model.base.weight, "N/m")}; the W′ above counts for S alone, as in upbead respond.`);
   if (answer.S !== 0)
     notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slides as a rigid block on the moving ground." : ""));
   if (answer.worst) {
