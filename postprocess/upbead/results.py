@@ -61,7 +61,8 @@ def command_of(folder: Folder) -> str | None:
     folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else Named()
     for command, is_it in (
         ("sheet", "parts" in summary),
-        ("study", (folder / "study.csv").is_file()),
+        # another command's summary beside it is newer: each command leaves the files of others
+        ("study", (folder / "study.csv").is_file() and (not summary or "runs" in summary)),
         ("reliability", "modes" in summary and "codes" in summary),
         ("waves", isinstance(summary.get("waves"), dict) and "section" in summary),
         ("expected", "expected" in summary),

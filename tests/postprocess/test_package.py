@@ -21,6 +21,7 @@ SCRIPTS = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parents[2] /
 sys.path.insert(0, str(SCRIPTS))
 import upbead  # noqa: E402
 from upbead.program import find, toml_value  # noqa: E402
+from upbead.results import command_of  # noqa: E402
 from upbead.reporting import response as reported  # noqa: E402
 
 TIME = np.linspace(0.0, 1.0, 11)
@@ -127,6 +128,14 @@ class Program(InFolder):
             self.assertEqual(toml_value(value), text)
         with self.assertRaisesRegex(upbead.UserError, "has no form in TOML"):
             toml_value(None)
+
+    def test_the_newer_summary_tells_whose_a_folder_is(self):
+        (self.folder / "study.csv").write_text("run,x,status,message\n0,1,done,\n")
+        (self.folder / "results.h5").touch()
+        for summary, command in ((None, "study"), ({"runs": 1}, "study"), ({"response": {}}, "run"), ({"expected": {}}, "expected")):
+            if summary:
+                (self.folder / "summary.json").write_text(json.dumps(summary))
+            self.assertEqual(command_of(self.folder), command)
 
     def test_arguments_of_the_program(self):
         source = write_result(self.folder / "source")
