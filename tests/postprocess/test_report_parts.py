@@ -25,6 +25,7 @@ from report import author, construction, head, loads, sensitivity, sheet, yieldi
 from hand_made_model import write_oscillator  # noqa: E402
 from upbead import typeset  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
+from upbead.figures.expected import why_nothing_slides  # noqa: E402
 
 ONE_CELL = """$MeshFormat
 2.2 0 8
@@ -485,6 +486,13 @@ class Construction(unittest.TestCase):
         page = construction.section({"construction": {"stages": [self.GROUND], "falls_in": "mound", "caisson": None}})
         self.assertIn("The stage mound has no state at rest.", page)
         self.assertNotIn("Since it was set down", page)
+
+
+class NothingSlides(unittest.TestCase):
+    def test_lives_that_slide_are_told_beside_waves_that_do_not(self):
+        calm, moving = (SimpleNamespace(lives=np.array(lives)) for lives in ([0.0, 0.0], [0.0, 0.1, 0.2]))
+        self.assertEqual(why_nothing_slides([calm]), "Nothing slides: no wave is high enough.")
+        self.assertEqual(why_nothing_slides([calm, moving]), "Without scatter nothing slides; with it 2 of 5 lives do.")
 
 
 class OtherWaves(unittest.TestCase):

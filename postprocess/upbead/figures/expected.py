@@ -70,7 +70,7 @@ def of_lives(results):
         axes.step(np.append(0.0, distance), np.append(1.0, share), style, where="pre", label=plain(result.name))
     axes.set(xlabel="sliding distance S of a life (m)", ylabel="share of the lives\nthat slide at least so far", ylim=(0, 1))
     if not any(result.lives.any() for result in results):
-        axes.annotate("Nothing slides: no wave is high enough.", (0.02, 0.92), xycoords="axes fraction", va="top")
+        axes.annotate(why_nothing_slides(results), (0.02, 0.92), xycoords="axes fraction", va="top")
     if len(results) > 1:
         axes.legend(fontsize=7)
     figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
@@ -79,6 +79,14 @@ def of_lives(results):
 
 def slides(results, laws):
     return any(values.any() for result in results for law, values in result.distance.items() if law in laws)
+
+
+def why_nothing_slides(results):
+    """The curves are of waves without scatter; lives with it may slide though they are zero."""
+    slid = sum(int(np.count_nonzero(result.lives)) for result in results)
+    if slid == 0:
+        return "Nothing slides: no wave is high enough."
+    return f"Without scatter nothing slides; with it {slid} of {sum(result.lives.size for result in results)} lives do."
 
 
 def say_that_nothing_slides(figure, panels, results):
@@ -90,7 +98,7 @@ def say_that_nothing_slides(figure, panels, results):
     axes.set_ylabel("heel pressure of one wave,\nby formulas (kPa)")
     if len(told) > 1:
         axes.legend(fontsize=7)
-    axes.annotate("Nothing slides: no wave is high enough.", (0.02, 0.92), xycoords="axes fraction", va="top")
+    axes.annotate(why_nothing_slides(results), (0.02, 0.92), xycoords="axes fraction", va="top")
     axes.set_xlim(0, last)
     axes.set_ylim(bottom=0)
     panels[2].remove()
