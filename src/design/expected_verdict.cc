@@ -7,6 +7,7 @@
 #include "design/expected_laws.h"
 #include "design/expected_report.h"
 #include "output/limits.h"
+#include "waves/section_warnings.h"
 
 namespace upbead {
 
@@ -318,6 +319,7 @@ Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
 NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer) {
   NumberedWarnings list = answer.notes.warnings;
   append(list, design.implausible);
+  append(list, section_warnings(design.tables.section, design.tables.water));
   if (answer.model) append(list, answer.model->warnings);
   append(list, factor_warnings(checks_of(design, answer), design.tables.limits));
   const Limits& limits = design.tables.limits;

@@ -40,10 +40,12 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   return list;
 }
 
-/// Two parts may have a scene in common.
+/// Two parts may have a scene in common; what is told of one wave is not told of the section again.
 void append_new(NumberedWarnings& list, const NumberedWarnings& more) {
   for (const NumberedWarning& warning : more)
-    if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) { return told.what == warning.what; }))
+    if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) {
+          return told.name == warning.name && told.what.find(warning.what) != std::string::npos;
+        }))
       list.push_back(warning);
 }
 

@@ -65,6 +65,7 @@ struct ReliabilityAnswer {
   std::vector<std::string> left_out;
   std::vector<CodeRow> codes;
   NumberedWarnings variables;  ///< what is doubtful in the distributions and in the soils that they reach
+  NumberedWarnings lives{};    ///< in the lives whose S is in `codes`
 };
 
 /// The mode of that name. Throws std::invalid_argument where there is none.
@@ -81,8 +82,8 @@ std::vector<std::string> limit_state_names();
 /// Those by F_T, where asks_for_ground() holds.
 std::vector<std::string> ground_state_names();
 
-/// The sheets of codes. With [life], S of whole lives by Monte Carlo as in `upbead expected`.
-std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer);
+/// The sheets of codes. With [life], S of whole lives by Monte Carlo as in `upbead expected`, whose warnings are added.
+std::vector<CodeRow> code_rows(const Design& design, ReliabilityAnswer& answer);
 
 /// Checks what `reliability` needs: variables, methods, the wave, the fault tree, and lives where they are asked for.
 void check_random(const DesignTables& tables, const Document& document, Diagnostics& report);

@@ -25,8 +25,18 @@ CodeRow row_with(const Design& design, const std::string& code, const std::strin
   return row;
 }
 
-/// S of whole lives, where the design asks for them.
-std::vector<CodeRow> rows_of_lives(const Design& design) {
+/// Warning years_differ: S of whole lives is of other years than all other rows.
+NumberedWarnings years_differ(const DesignTables& tables) {
+  const double life = tables.life->years, years = tables.reliability->years;
+  if (life == years) return {};
+  return {{"years_differ", life, years, "years",
+           "S of all waves of a life is of [life] years = " + significant(life, 4) +
+               ", all other probabilities of a life are of [reliability] years = " + significant(years, 4),
+           "give both tables the same years"}};
+}
+
+/// S of whole lives, where the design asks for them, and what is doubtful in it.
+std::vector<CodeRow> rows_of_lives(const Design& design, NumberedWarnings& doubts) {
   using T = ReliabilityTargets;
   std::vector<CodeRow> rows;
   for (const auto& [limit, target] :
@@ -40,7 +50,10 @@ std::vector<CodeRow> rows_of_lives(const Design& design) {
     for (CodeRow& row : rows) row.why_not = "no [life]: S of whole lives is that of `upbead expected`";
     return rows;
   }
-  const LifeStatistics lives = find_expected(design).monte_carlo->statistics;
+  const ExpectedAnswer expected = find_expected(design);
+  const LifeStatistics& lives = expected.monte_carlo->statistics;
+  doubts = years_differ(design.tables);
+  append(doubts, warnings_of(design, expected));
   rows.back().value = lives.mean;
   for (std::size_t i = 0; i < 3; ++i) rows[i].value = lives.exceeded[i].probability;
   return rows;
@@ -59,9 +72,9 @@ CodeRow row_of_wave(const ReliabilityAnswer& answer, const std::string& mode, co
 
 }  // namespace
 
-std::vector<CodeRow> code_rows(const Design& design, const ReliabilityAnswer& answer) {
+std::vector<CodeRow> code_rows(const Design& design, ReliabilityAnswer& answer) {
   using T = ReliabilityTargets;
-  std::vector<CodeRow> rows = rows_of_lives(design);
+  std::vector<CodeRow> rows = rows_of_lives(design, answer.lives);
   rows.push_back(row_of_wave(answer, "sliding_0_1", "0.1 m"));
   rows.push_back(row_of_wave(answer, "sliding_0_3", "0.3 m"));
   rows.push_back(row_of_wave(answer, "sliding_1_0", "1 m"));

@@ -1,8 +1,10 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "case/formula_wave.h"
 #include "output/output_text.h"
 #include "reliability/answer.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 
@@ -102,6 +104,24 @@ NumberedWarnings one_level(const DesignTables& tables) {
            "waves`"}};
 }
 
+/// Of the wave whose numbers are random, as `upbead waves` tells them.
+NumberedWarnings wave_warnings(const DesignTables& tables, const std::string& name) {
+  const DesignWave wave = design_wave(tables.waves.at(name), tables.section, tables.water);
+  const Goda goda(tables.section, tables.water, wave);
+  NumberedWarnings list = warnings(tables.section, tables.water, wave, goda.at(wave.height));
+  for (NumberedWarning& warning : list) warning.what = "wave " + name + ": " + warning.what;
+  return list;
+}
+
+/// What was not told before, even of a wave.
+void append_new(NumberedWarnings& list, const NumberedWarnings& more) {
+  for (const NumberedWarning& warning : more)
+    if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) {
+          return told.name == warning.name && told.text().find(warning.what) != std::string::npos;
+        }))
+      list.push_back(warning);
+}
+
 }  // namespace
 
 std::string brief(const Design& design, const ReliabilityAnswer& answer, const Json& summary) {
@@ -133,12 +153,14 @@ std::string brief(const Design& design, const ReliabilityAnswer& answer, const J
 
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
+  append(list, wave_warnings(design.tables, answer.wave));
   append(list, answer.variables);
   append(list, one_level(design.tables));
   append(list, left_out(answer));
   append(list, few_samples(answer));
   append(list, disagreements(answer));
   append(list, ground_errors(answer));
+  append_new(list, answer.lives);
   return list;
 }
 

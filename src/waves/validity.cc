@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "upbead/waves/wave_heights.h"
+#include "waves/section_warnings.h"
 
 namespace upbead {
 
@@ -73,10 +74,9 @@ void judge_wave(const CheckedWave& s, NumberedWarnings& list) {
 
 /// The usual mistake is kN for N, or W in place of W'; a footing or rounded corners change the buoyancy by less than
 /// a fifth.
-void judge_weight(const CheckedWave& s, NumberedWarnings& list) {
-  const Section& c = s.section;
+void judge_weight(const Section& c, const Water& water, NumberedWarnings& list) {
   const double given = c.weight - c.submerged_weight;
-  const double displaced = s.water.density * s.water.gravity * c.foundation_depth * c.width;
+  const double displaced = water.density * water.gravity * c.foundation_depth * c.width;
   if (std::abs(given - displaced) > 0.2 * displaced)
     list.push_back({"buoyancy", given, displaced, "N/m",
                     "W - W' = " + significant(given, 4) +
@@ -84,8 +84,7 @@ void judge_weight(const CheckedWave& s, NumberedWarnings& list) {
                     "check the units of weight and submerged_weight (N/m), and which of them is in water"});
 }
 
-void judge_section(const CheckedWave& s, NumberedWarnings& list) {
-  const Section& c = s.section;
+void judge_section(const Section& c, NumberedWarnings& list) {
   if (c.bed_slope > 0.1 || c.bed_slope < 0.01)
     list.push_back({"bed_slope", c.bed_slope, c.bed_slope > 0.1 ? 0.1 : 0.01, "1",
                     "tan(theta) = " + significant(c.bed_slope) + " is outside 0.01 to 0.1, where the tests are",
@@ -137,6 +136,13 @@ void judge_pressure(const CheckedWave& s, double depth_b, NumberedWarnings& list
 
 }  // namespace
 
+NumberedWarnings section_warnings(const Section& section, const Water& water) {
+  NumberedWarnings list;
+  judge_section(section, list);
+  judge_weight(section, water, list);
+  return list;
+}
+
 NumberedWarnings warnings(const Section& section, const Water& water, const DesignWave& wave,
                           const WavePressure& pressure) {
   const CheckedWave s{section,
@@ -147,8 +153,7 @@ NumberedWarnings warnings(const Section& section, const Water& water, const Desi
                       deep_water_wavelength(wave.period, water.gravity)};
   NumberedWarnings list;
   judge_wave(s, list);
-  judge_section(s, list);
-  judge_weight(s, list);
+  append(list, section_warnings(section, water));
   judge_pressure(s, section.water_depth + 5. * wave.significant_height * section.bed_slope, list);
   return list;
 }

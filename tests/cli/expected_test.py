@@ -115,6 +115,13 @@ class Expected(ProgramTest):
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"warning: few_lives: simulate more .*\n +only \d of 5 lives slide by the law exact: ")
 
+    def test_a_doubtful_section_is_told_as_by_waves(self):
+        for change, name in ((None, None), ("section.submerged_weight=7.2e6", "buoyancy"), ("section.berm_depth=30", "berm_below_bed")):
+            done = upbead("expected", HD12, "--set", "life.simulated_lives=5", *(["--set", change] if change else []), cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = [one for one in ("buoyancy", "berm_below_bed", "bed_slope") if f"warning: {one}: " in done.stderr]
+            self.assertEqual(told, [name] if name else [])
+
     def test_own_dynamics_are_the_default_where_a_model_is_given(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
         model = ["--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact"]

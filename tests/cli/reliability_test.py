@@ -135,6 +135,19 @@ cov = 0.17
                          {"given by the file"})
         self.assertEqual(given["verdict"]["failing"], 1)
 
+    def test_what_is_doubtful_in_lives_and_section_is_told(self):
+        quick = [*QUICK, "--set", 'reliability.methods=["form"]']
+
+        def names(*changes):
+            keys = [word for key in ("life.simulated_lives=5", *changes) for word in ("--set", key)]
+            return {one["name"] for one in self.summary(*quick, *keys)[0]["warnings"]}
+
+        plain = names()
+        self.assertIn("few_lives", plain)
+        self.assertFalse(plain & {"years_differ", "buoyancy", "berm_below_bed", "foundation_below_bed"})
+        self.assertIn("years_differ", names("life.years=5"))
+        self.assertIn("buoyancy", names("section.submerged_weight=5.2e6"))
+
     def test_a_system_fails_as_often_as_each_of_its_parts(self):
         text = DESIGN.read_text()
         bare = self.folder / "bare.toml"

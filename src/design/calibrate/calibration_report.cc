@@ -9,6 +9,7 @@
 #include "output/result_file.h"
 #include "upbead/base/error.h"
 #include "upbead/input/node.h"
+#include "waves/section_warnings.h"
 
 namespace upbead {
 
@@ -122,6 +123,7 @@ std::string brief(const Json& summary) {
 
 NumberedWarnings warnings_of(const Design& design, const Calibration& found) {
   NumberedWarnings list = design.implausible;
+  append(list, section_warnings(design.tables.section, design.tables.water));
   for (const CalibratedModel& model : found.models) {
     for (NumberedWarning warning : model.warnings) {
       warning.what = "model " + model.name + ": " + warning.what;
