@@ -12,7 +12,7 @@ namespace upbead {
 
 namespace {
 
-struct Kind {
+struct BinaryKind {
   std::string_view beginning;
   const char *what, *cure;
 };
@@ -22,7 +22,7 @@ using namespace std::string_view_literals;
 constexpr std::string_view hdf5_beginning = "\x89HDF\r\n\x1a\n"sv;
 
 /// First bytes of files that are no text, by their formats' own documents.
-constexpr Kind kinds[]{
+constexpr BinaryKind kinds[]{
     {"PK\3\4"sv, "is a workbook of a spreadsheet (.xlsx, .ods) or a zip archive, not a text",
      "open it and save the sheet as CSV"},
     {"\xD0\xCF\x11\xE0"sv, "is a workbook of a spreadsheet (.xls), not a text", "open it and save the sheet as CSV"},
@@ -129,7 +129,7 @@ std::size_t end_of_utf8(std::string_view text) {
 
 std::string as_utf8(std::string bytes, const std::string& path, const Place& place) {
   const auto begins = [&bytes](std::string_view with) { return bytes.compare(0, with.size(), with) == 0; };
-  for (const Kind& kind : kinds)
+  for (const BinaryKind& kind : kinds)
     if (begins(kind.beginning)) throw InputError(place, quoted_path(path) + " " + kind.what, kind.cure);
   if (begins("\xEF\xBB\xBF")) bytes.erase(0, 3);
   if (begins("\xFF\xFE") || begins("\xFE\xFF"))

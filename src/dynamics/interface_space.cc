@@ -7,14 +7,14 @@
 
 #include "algebra/dense.h"
 #include "dynamics/orthogonalise.h"
+#include "dynamics/products.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
-/// Row by row, so that a sparse matrix is read once for all columns.
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using detail::VectorBlock;
 
 constexpr double fast_share = 4.;  ///< the second shift, over the first: about a stage of contact's steps
 /// Moments at each level, about the first and the second shift: of loads, and of motions of rising degree, of which
@@ -75,7 +75,7 @@ Eigen::MatrixXd MomentTrain::solved(const Eigen::MatrixXd& rhs) {
 Eigen::MatrixXd MomentTrain::follow(const Eigen::MatrixXd& motions) {
   const Eigen::Index n = motions.rows();
   const SparseMatrix coupling = SparseMatrix(T_.topRows(n_free_)).rightCols(n);
-  Eigen::MatrixXd x = solved(-(coupling * Rows(motions)));
+  Eigen::MatrixXd x = solved(-(coupling * VectorBlock(motions)));
   x.bottomRows(n) = motions;
   return x;
 }
@@ -85,8 +85,8 @@ Eigen::MatrixXd MomentTrain::answer(const Eigen::MatrixXd& loads) {
 }
 
 Eigen::MatrixXd MomentTrain::next(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
-  Rows rhs = -(with_now_ * Rows(now));
-  if (before.size() > 0) rhs -= with_before_ * Rows(before);
+  VectorBlock rhs = -(with_now_ * VectorBlock(now));
+  if (before.size() > 0) rhs -= with_before_ * VectorBlock(before);
   return solved(rhs);
 }
 

@@ -24,7 +24,7 @@ constexpr double most_energy = 50., trifle_of_strength = 1e-5;
 /// this share of D: so that `factor` is good.
 constexpr double known = 0.2;
 constexpr int most_after = 4;
-constexpr int most_iterations = 60;
+constexpr int most_newton_steps = 60;
 
 /// One limit of the stress at a point: (limit + D - slope m, half the difference of stresses, shear stress) in the
 /// cone.
@@ -81,7 +81,7 @@ class Search {
       const double least = bound(), trifle = trifle_of_strength * scale_;
       if (least > trifle && (D_ - least <= known * least || since_none++ == most_after)) return finish(RestFound::none);
       if (since_none > 0 && !(least > trifle)) return answer_;
-      if (answer_.iterations == most_iterations || !std::isfinite(D_)) return finish(RestFound::open);
+      if (answer_.iterations == most_newton_steps || !std::isfinite(D_)) return finish(RestFound::open);
       if (since_none > 0) finish(RestFound::none);  // holds whatever comes
       if (each) each();
       try {

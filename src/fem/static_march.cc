@@ -16,7 +16,7 @@ struct Patience {
   int quick, most;
 };
 constexpr Patience usual{8, 25}, associated{25, 60};
-constexpr double growth = 1.5, cut = 0.5;
+constexpr double longer = 1.5, shorter = 0.5;  ///< than the step before
 
 double largest_diagonal(const SparseMatrix& pattern, const Vector& values) {
   double largest = 0.;
@@ -118,11 +118,11 @@ class March {
         if (length <= steps_.least * (1. + 1e-9)) break;
         ++report_.cuts;
         failed_before = true;
-        step = std::max(cut * length, steps_.least);
+        step = std::max(shorter * length, steps_.least);
         continue;
       }
       if (report_.failed <= next) report_.failed = steps_.to;
-      if (last_iterations_ <= patience_.quick && !failed_before) step = std::min(growth * step, steps_.largest);
+      if (last_iterations_ <= patience_.quick && !failed_before) step = std::min(longer * step, steps_.largest);
       failed_before = false;
       if (observer && !observer(next, x_, balance_.force())) break;
     }

@@ -57,7 +57,7 @@ NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
 }
 
 /// Warning cavitation.
-NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
+NumberedWarnings cavitation_warnings(const Evidence& e, const Summary&) {
   const auto& pressure = e.of(monitors_of)->pressure;
   if (!pressure || !pressure->has_seen() || pressure->value() >= vapour_pressure) return {};
   return {{"cavitation", pressure->value(), vapour_pressure, "Pa",
@@ -68,7 +68,7 @@ NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
            "compare with fluid.bulk_modulus = 1e7 (air in the water)"}};
 }
 
-SkippedList skipped_pressure(const Evidence& e, const Summary&) {
+SkippedList skipped_cavitation(const Evidence& e, const Summary&) {
   const Monitors& monitors = *e.of(monitors_of);
   if (monitors.pressure && (!monitors.pressure->watches() || monitors.pressure->has_seen())) return {};
   if (!e.simulation.compiled()->caisson) return {};
@@ -79,8 +79,8 @@ SkippedList skipped_pressure(const Evidence& e, const Summary&) {
 
 Finding cavitation_finding() {
   Finding f;
-  f.warnings = pressure_warnings;
-  f.skipped = skipped_pressure;
+  f.warnings = cavitation_warnings;
+  f.skipped = skipped_cavitation;
   return f;
 }
 

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double all_of_it = 1. - 1e-3, round_off = 1e-9;
+constexpr double all_of_it = 1. - 1e-3, nearly_as_large = 1e-9;
 
 std::vector<bool> may_yield(YieldingSoil& soil) {
   std::vector<bool> list;
@@ -75,7 +75,7 @@ std::vector<MobilisedRegion> YieldingWatch::regions() const {
     of.initial = std::max(of.initial, soil.initial);
     if (soil.initial >= all_of_it) of.initial_share += size;
     if (soil.largest >= all_of_it) of.share += size;
-    if (soil.largest <= of.largest * (1. + round_off)) continue;  // of cells alike the first
+    if (soil.largest <= of.largest * (1. + nearly_as_large)) continue;  // of cells alike the first
     of.largest = soil.largest;
     of.at = middle_of(soil.cell);
     of.time = soil.time;

@@ -128,7 +128,7 @@ OutputSchema<CalibratedModel> calibrated_model_outputs() {
       .list("soils[]", &M::soils, calibrated_soil_outputs(), "of a [model of soils](soils.md): each, and its own fit");
 }
 
-OutputSchema<ImpactTable> impact_outputs() {
+OutputSchema<ImpactTable> impact_table_outputs() {
   using I = ImpactTable;
   const auto uplift = [](const I& impact) {
     const char* const words[] = {"held", "in_phase", "sinusoidal"};
@@ -159,7 +159,7 @@ const OutputSchema<ToldCalibration>& calibration_outputs() {
           .program()
           .list("warnings[]", &T::warnings, warning_outputs(), "fits that do not tell a and b")
           .object("waves", &T::found, waves, "of the family")
-          .object("impact", inner(&T::design, &Design::tables, &DesignTables::impact), impact_outputs(),
+          .object("impact", inner(&T::design, &Design::tables, &DesignTables::impact), impact_table_outputs(),
                   "the force history")
           .object("given", inner(&T::found, &C::given), factor, "k(alpha*) of the design")
           .named("models.NAME", inner(&T::found, &C::models), &CalibratedModel::name, calibrated_model_outputs(),
