@@ -259,14 +259,30 @@ bool SecondOrderKrylov::extend() {
   return false;
 }
 
+namespace {
+
+/// Y without its part in the span of the columns of V, twice; returns the coordinates of that part. The basis is larger
+/// than any cache: by blocks of rows, what the second time needs is found while the first time takes away.
+Eigen::MatrixXd leave_outside(const Eigen::Ref<const Eigen::MatrixXd>& V, Eigen::MatrixXd& Y) {
+  constexpr Eigen::Index largest_block = 512;
+  const Eigen::MatrixXd first = transposed_product(V, Y);
+  Eigen::MatrixXd second = Eigen::MatrixXd::Zero(first.rows(), first.cols());
+  for (Eigen::Index r = 0; r < Y.rows(); r += largest_block) {
+    const Eigen::Index n = std::min(largest_block, Y.rows() - r);
+    Y.middleRows(r, n) -= product(V.middleRows(r, n), first);
+    second += transposed_product(V.middleRows(r, n), Y.middleRows(r, n));
+  }
+  Y -= product(V, second);
+  return first + second;
+}
+
+}  // namespace
+
 /// Enlarges the coordinates by those of directions that are new.
 void SecondOrderKrylov::take_together(FieldBasis& basis, const Eigen::MatrixXd& x, Eigen::MatrixXd& coordinates) {
   Eigen::MatrixXd Y = basis.unit.cwiseInverse().asDiagonal() * x(basis.unknown, Eigen::all);
-  for (int pass = 0; pass < 2; ++pass) {
-    const Eigen::MatrixXd H = transposed_product(basis.columns(), Y);
-    Y -= product(basis.columns(), H);
-    for (Eigen::Index j = 0; j < H.rows(); ++j) coordinates.row(basis.coordinate[j]) += H.row(j);
-  }
+  const Eigen::MatrixXd H = leave_outside(basis.columns(), Y);
+  for (Eigen::Index j = 0; j < H.rows(); ++j) coordinates.row(basis.coordinate[j]) += H.row(j);
   const Eigen::Index first = basis.n();
   for (Eigen::Index c = 0; c < Y.cols(); ++c) {
     Vector y = Y.col(c);
@@ -286,25 +302,27 @@ bool SecondOrderKrylov::extend_together() {
   check_interrupt();
   const Eigen::Index m = std::min(n_starts_, n_vectors_ - n_expanded_), first = n_expanded_;
   if (m == 0) return false;
-  const Eigen::MatrixXd of_x = x_.middleCols(first, m), of_previous = previous_.middleCols(first, m);
+  const Eigen::MatrixXd of_x = x_.middleCols(first, m);
+  Eigen::MatrixXd of_both(x_.rows(), 2 * m);
+  of_both << of_x, previous_.middleCols(first, m);
   n_expanded_ += static_cast<int>(m);
   const auto vectors_of = [&](const Eigen::MatrixXd& coordinates) {
-    Eigen::MatrixXd x(n_unknowns_, m);
+    Eigen::MatrixXd x(n_unknowns_, coordinates.cols());
     for (const FieldBasis* basis : {&u_, &phi_}) {
-      Eigen::MatrixXd h = Eigen::MatrixXd::Zero(basis->n(), m);
+      Eigen::MatrixXd h = Eigen::MatrixXd::Zero(basis->n(), coordinates.cols());
       for (Eigen::Index j = 0; j < h.rows(); ++j)
         if (const int c = basis->coordinate[j]; c < coordinates.rows()) h.row(j) = coordinates.row(c);
       x(basis->unknown, Eigen::all) = basis->unit.asDiagonal() * product(basis->columns(), h);
     }
     return x;
   };
-  const Eigen::MatrixXd x = vectors_of(of_x), previous = vectors_of(of_previous);
+  const Eigen::MatrixXd x = vectors_of(of_both);  // the previous ones behind them
   Eigen::MatrixXd next = Eigen::MatrixXd::Zero(n_unknowns_, m);
   {
     const std::lock_guard<std::mutex> lock(matrices_->turn);
     for (Eigen::Index c = 0; c < m; ++c) {
       Vector rhs = Vector::Zero(n_unknowns_);
-      matrices_->products.subtract_products(x.col(c), previous.col(c), rhs);
+      matrices_->products.subtract_products(x.col(c), x.col(m + c), rhs);
       next.col(c) = rhs;
     }
     const Eigen::Index n_free = matrices_->T.n_free();
