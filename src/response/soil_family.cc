@@ -31,6 +31,8 @@ constexpr int most_of_frequencies = 64;
 constexpr double beyond_band = 1.3;
 /// Estimates that are found side by side, and points that are solved so.
 constexpr std::size_t estimates_at_once = 4, points_at_once = 2;
+constexpr std::size_t judged_from = 2 * points_at_once;  ///< points whose last ones were judged before they became some
+
 SnapshotOptions snapshot_options(const Scene& scene, const CompiledScene& compiled) {
   SnapshotOptions options;
   options.shift = krylov_shift(scene);
@@ -270,9 +272,10 @@ class Candidates {
     return other < 0 ? std::vector<int>{0} : std::vector<int>{0, other};
   }
   /// Soils to be solved next: the one with the largest estimate, where one exceeds the tolerance, and others that are
-  /// as unlike all points as can be, of which an estimate knows least.
+  /// as unlike all points as can be, of which an estimate knows least. After the first round these alone, as estimates
+  /// would cost what they tell.
   std::vector<int> next(const SoilFamily& family, std::size_t n) {
-    std::vector<int> list = worst(family, 1);
+    std::vector<int> list = goes_on() ? std::vector<int>{} : worst(family, 1);
     while (list.size() < n) {
       const int other = most_unlike(list);
       if (other < 0) break;
@@ -313,6 +316,11 @@ class Candidates {
   }
 
  private:
+  /// Whether more points follow whatever estimates say, as the errors of the first ones were never judged.
+  bool goes_on() const {
+    return points_.size() < judged_from &&
+           judged_from <= std::min(options_.candidates.size(), static_cast<std::size_t>(options_.most_points));
+  }
   /// The candidate that is farthest from the nearest point, and from those that will be points; -1 where none is left.
   int most_unlike(const std::vector<int>& chosen) const {
     std::set<std::size_t> taken = points_;
@@ -374,7 +382,7 @@ SoilFamilyMade make_soil_family(const Scene& scene, const AffineScene& affine, c
     made.family.reduced.safety = proofs.safety();
     builder.tell(made.family);
     next = candidates.next(made.family, points_at_once);
-    made.estimates.push_back(candidates.largest());
+    if (std::isfinite(candidates.largest())) made.estimates.push_back(candidates.largest());
     if (proven && candidates.largest() <= tolerable_estimate(options)) break;
     const std::size_t left = static_cast<std::size_t>(options.most_points) - made.points.size();
     next.resize(std::min(next.size(), left));
