@@ -1,9 +1,11 @@
 // One reduced model for many soils, against runs of each soil: errors, estimates, times.
 //
 // usage: bench_soils CASE N_TRUTH POINTS TOLERANCE [KEY=VALUE]...
+// SOILS_BEFORE=N leaves out the first N unseen soils, ONLY_POLES=1 looks at the poles of the others alone.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <random>
 
@@ -85,6 +87,9 @@ int main(int argc, char** argv) {
   Case input = read_case(argv[1], overrides);
   const int n_truth = std::stoi(argv[2]), points = std::stoi(argv[3]);
   const double tolerance = std::stod(argv[4]);
+  const char* const before = std::getenv("SOILS_BEFORE");
+  const int n_before = before ? std::stoi(before) : 0;
+  const bool only_poles = std::getenv("ONLY_POLES") != nullptr;
   const Simulation s = simulation_of(input);
   const Scene& scene = s.scene();
   bool damped = true;
@@ -127,8 +132,14 @@ int main(int argc, char** argv) {
   std::cout << "\n";
   std::vector<std::vector<double>> errors(4);
   std::vector<double> ratios, online, full, growths;
-  for (int i = 0; i < n_truth; ++i) {
+  for (int i = 0; i < n_before + n_truth; ++i) {
     const Factors factors = affine.factors(of_regions(scene, random_soil(scene.regions, rng, damped)));
+    if (i < n_before) continue;
+    if (only_poles) {
+      growths.push_back(
+          growth(reduced_to(0.2 * tolerance, scene, made.family.at(factors), all_alike(first_of_member))));
+      continue;
+    }
     watch = {};
     const CompiledScene whole = affine.at(factors);
     const Eigen::MatrixXd exact = held_of(scene, reduced_to(1e-4, scene, whole, all_alike(24)), whole);
@@ -144,6 +155,10 @@ int main(int argc, char** argv) {
     Scene member = scene;
     member.tolerance = 0.2 * tolerance;
     ratios.push_back(family_error(made.family, member, factors) / far.maxCoeff());
+  }
+  if (only_poles) {
+    print("largest real part of a pole over the largest pole", growths);
+    return 0;
   }
   const char* const names[] = {"error of F_T", "of x_G", "of the heel's moment", "of the toe's moment"};
   for (std::size_t r = 0; r < errors.size(); ++r) print(names[r], errors[r]);
