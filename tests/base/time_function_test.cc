@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "base/run_end.h"
+
 namespace upbead {
 namespace time_function_test {
 
@@ -16,6 +18,14 @@ TEST(TimeFunction, HasALimitFromEachSide) {
   EXPECT_EQ(ramp(1., 1.5), 5.);
   EXPECT_EQ(ramp(-1.), 0.);
   EXPECT_EQ(TimeFunction()(3.), 0.);
+}
+
+TEST(TimeFunction, ARecordThatEndsWithTheRunActsTillThen) {
+  const TimeFunction record = piecewise_linear({0., 1., 3.}, {0., 2., 2.});
+  EXPECT_EQ(record(3.), 0.);
+  EXPECT_NEAR(until_end(record, 3., 3.), 2., 1e-12);
+  EXPECT_EQ(until_end(record, 0.5, 3.), 1.);
+  EXPECT_EQ(until_end(ramp, 1., 2.), 5.) << "a kink on the way";
 }
 
 TEST(TimeFunction, AddsAndScales) {

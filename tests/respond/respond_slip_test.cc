@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "../output/sample_model.h"
+#include "respond/respond_slip.h"
 #include "respond/respond_waves.h"
 #include "response/slip_law.h"
 #include "sliding/coupled_slip.h"
@@ -211,6 +212,34 @@ TEST(RespondSlip, APorePressureFollowsItsLoad) {
   options.sliding = ModelSliding{friction, weight};
   const WaveFile file = wave(fine_triangle(3e6));
   EXPECT_NEAR(respond_to_waves(model, {file}, options)[0].waves[0].coupled->sliding, slid(file).sliding, 1e-9);
+}
+
+/// Waves on the landward wall alone are the mirror image: U follows them, too.
+TEST(RespondSlip, APrescribedUpliftFollowsWavesFromEitherSide) {
+  ModelSliding sliding{friction, weight};
+  sliding.uplift_per_force = 0.3;
+  const std::vector<double> time{0., 0.1, 0.2, 0.3};
+  const Eigen::RowVectorXd landward = (Eigen::RowVectorXd(4) << 0., 2e6, 1e6, 0.).finished();
+  for (const std::string course : {"in_phase", "held"}) {
+    sliding.uplift = course;
+    const Eigen::RowVectorXd U = uplift_of_force(sliding, time, landward);
+    EXPECT_EQ(U, uplift_of_force(sliding, time, -landward)) << course;
+    EXPECT_EQ(U[1], 6e5);
+  }
+  Eigen::RowVectorXd both = landward;
+  both[2] = -1e6;
+  sliding.uplift = "in_phase";
+  EXPECT_EQ(uplift_of_force(sliding, time, both)[2], 0.) << "the trough after a crest";
+}
+
+/// A record that ends above friction has no S of its own.
+TEST(RespondSlip, LoadsThatStayAboveFrictionAreTold) {
+  const ReducedModelFile model = model_with_slip();
+  RespondOptions options;
+  options.sliding = ModelSliding{friction, weight};
+  const WaveFile ends = wave(triangle(3e6)), stays = wave({{0., 0.1, 0.2}, {0., 3e6, 3e6}});
+  EXPECT_FALSE(respond_to_waves(model, {ends}, options)[0].waves[0].slides_on);
+  EXPECT_TRUE(respond_to_waves(model, {stays}, options)[0].waves[0].slides_on);
 }
 
 }  // namespace respond_slip_test
