@@ -97,10 +97,15 @@ class GrowingBasis : public Looks {
 };
 
 class SlipBasis;
+struct ContactRoom;
 
 /// Room for one basis of one System, from one reduction to the next, and for what slip adds to it.
 class BasisRoom {
  public:
+  BasisRoom() = default;
+  /// For bases about that shift, in place of the one of the scene that is reduced.
+  explicit BasisRoom(double shift) : shift_(shift) {}
+  const std::optional<double>& shift() const { return shift_; }
   /// The kept basis where it serves these options, else a new one in its place.
   std::shared_ptr<GrowingBasis> basis(const System& system, const ReduceOptions& options);
   /// The kept basis where it is about that shift, see GrowingBasis::is_about; else null.
@@ -109,10 +114,14 @@ class BasisRoom {
   const std::shared_ptr<SlipBasis>& slip() const { return slip_; }
   /// Keeps it, where it is of the kept basis.
   void keep(const std::shared_ptr<SlipBasis>& slip);
+  /// What contact node by node makes of the same System, see run/contact/contact_room.h; null before it has.
+  std::shared_ptr<ContactRoom>& contact() { return contact_; }
 
  private:
   std::shared_ptr<GrowingBasis> basis_;
   std::shared_ptr<SlipBasis> slip_;
+  std::optional<double> shift_;
+  std::shared_ptr<ContactRoom> contact_;
 };
 
 }  // namespace upbead

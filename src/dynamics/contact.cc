@@ -18,7 +18,8 @@ namespace {
 /// repeated with the next tableau.
 class FrictionalContact : public SchemeBase {
  public:
-  FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground);
+  FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground,
+                    std::shared_ptr<GroundStages> stages);
   std::string name() const override { return "contact"; }
   int order() const override { return 2; }
   int solves_per_step() const override { return bonded_->n_stages(); }
@@ -30,7 +31,7 @@ class FrictionalContact : public SchemeBase {
   void recall(const SchemeMemory& memory) override;
 
  private:
-  void make_steps(const GroundMatrices* ground);
+  void make_steps(const GroundMatrices* ground, std::shared_ptr<GroundStages> shared);
   bool attempt(Steps& steps, int n, StopAt stop, State& state, double h);
   bool settled(const State& state) const;
   void end_step(const State& state);
@@ -49,13 +50,14 @@ const System& checked(const System& system) {
   return system;
 }
 
-FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground)
+FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options, const GroundMatrices* ground,
+                                     std::shared_ptr<GroundStages> stages)
     : SchemeBase(checked(system), options), stage_(system) {
-  make_steps(ground);
+  make_steps(ground, std::move(stages));
   report_.forces = stage_.now().forces;
 }
 
-void FrictionalContact::make_steps(const GroundMatrices* ground) {
+void FrictionalContact::make_steps(const GroundMatrices* ground, std::shared_ptr<GroundStages> shared) {
   if (ground == nullptr) {
     auto first = std::make_unique<Dirk>(system_, sdirk4_tableau());
     moving_ = std::make_unique<Dirk>(*first, friction_tableau());
@@ -63,7 +65,8 @@ void FrictionalContact::make_steps(const GroundMatrices* ground) {
     bonded_ = std::move(first);
     return;
   }
-  const auto shared = std::make_shared<GroundStages>();
+  if (!shared) shared = std::make_shared<GroundStages>();
+  shared->motion = {};
   const auto steps = [&](Tableau tableau) {
     return std::make_unique<GroundSteps>(system_, *ground, std::move(tableau), stage_, shared);
   };
@@ -159,12 +162,13 @@ void FrictionalContact::report() {
 
 std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy, bool refined) {
   return std::make_unique<detail::FrictionalContact>(
-      system, SchemeOptions{SchemeKind::sdirk4, 0., account_energy, refined}, nullptr);
+      system, SchemeOptions{SchemeKind::sdirk4, 0., account_energy, refined}, nullptr, nullptr);
 }
 
-std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground) {
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground,
+                                            std::shared_ptr<detail::GroundStages> stages) {
   return std::make_unique<detail::FrictionalContact>(system, SchemeOptions{SchemeKind::sdirk4, 0., true, false},
-                                                     &ground);
+                                                     &ground, std::move(stages));
 }
 
 }  // namespace upbead

@@ -8,6 +8,10 @@
 
 namespace upbead {
 
+namespace detail {
+struct GroundStages;
+}
+
 /// State of a node, or of the whole bottom.
 enum class ContactState : char {
   stick,          ///< no slip; T is the force that prevents it, |T| <= mu N
@@ -50,7 +54,9 @@ struct ContactReport {
 std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy = true, bool refined = false);
 /// The same scheme where the matrices are those of a ground of few coordinates, which must outlive it; those of the
 /// system are not read. Its account of energy does not tell fields apart: `kinetic` is all that M holds, `strain` all
-/// that K holds, `damping` all that C takes.
-std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground);
+/// that K holds, `damping` all that C takes. `stages`: what marches on that ground have inverted (ground_steps.h), for
+/// the next one, which is the same to the last bit; null: nothing is kept.
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, const GroundMatrices& ground,
+                                            std::shared_ptr<detail::GroundStages> stages = nullptr);
 
 }  // namespace upbead

@@ -87,6 +87,12 @@ void clean(const std::vector<ContactState>& status, Vector& motion) {
 ContactProblem::ContactProblem(Eigen::MatrixXd stiffness, double friction)
     : D_(std::move(stiffness)), friction_(friction), n_(static_cast<int>(D_.rows()) / 2) {}
 
+void ContactProblem::set_friction(double friction) {
+  if (friction == friction_) return;
+  friction_ = friction;
+  factorised_.clear();
+}
+
 bool ContactProblem::holds(const InterfaceForces& forces, double friction, double scale) {
   const double tolerance = force_tolerance * std::max(scale, largest_force(forces));
   return (forces.normal.array() >= -tolerance).all() &&

@@ -34,6 +34,8 @@ class ContactProblem {
   /// point or `scale` (N/m). Motions that the law forbids are exactly zero. Throws NumericsError where no solution is
   /// found.
   ContactPoint solve(const ContactPoint& point, double scale, std::vector<ContactState>& status);
+  /// Another mu, of the same linear relation.
+  void set_friction(double friction);
   const Eigen::MatrixXd& stiffness() const { return D_; }
   /// Number of times that sweeps were needed so far.
   int n_fallbacks() const { return n_fallbacks_; }

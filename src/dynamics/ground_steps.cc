@@ -32,12 +32,11 @@ Eigen::MatrixXd ground_inverse(const Eigen::MatrixXd& E) {
 }
 
 Eigen::MatrixXd condensed_ground(const GroundMatrices& ground, double g, const Eigen::MatrixXd& inverse) {
-  const Eigen::Index r = ground.n_free(), k = ground.U.cols();
+  const Eigen::Index k = ground.U.cols();
   const Eigen::MatrixXd A = ground_block(ground, g).rightCols(k);
   const Eigen::MatrixXd taken = product(inverse.bottomRows(k), A);
   const Eigen::MatrixXd D =
       ground.M_ii + g * ground.C_ii + g * g * ground.K_ii - product(product(ground.U, taken), ground.U.transpose());
-  (void)r;
   return 0.5 * (D + D.transpose());
 }
 
@@ -85,7 +84,10 @@ GroundSteps::GroundSteps(const System& system, const GroundMatrices& ground, Tab
 GroundStage& GroundSteps::stage_of(double g) {
   auto& stages = shared_->by_g;
   const auto found = stages.find(g);
-  if (found != stages.end()) return found->second;
+  if (found != stages.end()) {
+    found->second.problem().set_friction(system_.interface->friction);
+    return found->second;
+  }
   if (stages.size() == kept_stages) stages.clear();
   return stages.try_emplace(g, ground_, g, system_.interface->friction).first->second;
 }

@@ -32,7 +32,8 @@ struct GroundMotion {
   int steps = 0;  ///< since these products were made anew
 };
 
-/// What the steps of all tableaux share.
+/// What the steps of all tableaux share, and marches on the same ground after each other: `motion` is of the present
+/// one.
 struct GroundStages {
   std::map<double, GroundStage> by_g;
   GroundMotion motion;

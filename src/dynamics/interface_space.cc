@@ -269,7 +269,8 @@ InterfaceModel InterfaceSpace::model() const {
                        rows(reduced.acceleration, &Reading::acceleration),
                        reduced.feedthrough,
                        bases_.displacements,
-                       bases_.phi,
+                       bases_.displacements.n(),
+                       {bases_.phi.unknown, bases_.phi.unit, bases_.phi.columns(), bases_.phi.coordinate},
                        carried_,
                        Z};
   System& system = model.system;
@@ -323,9 +324,11 @@ State InterfaceModel::whole(const State& state) const {
   const auto lifted = [&](const Vector& from) -> Vector {
     Vector to = Vector::Zero(n);
     const Vector q = product(to_bases, from.head(to_bases.cols()));
-    for (const FieldBasis* basis : {&displacements, &phi})
-      if (!basis->unknown.empty())
-        to(basis->unknown) = Vector(product(basis->columns(), q(basis->coordinate).eval())).cwiseProduct(basis->unit);
+    for (const auto& [basis, m] : {std::pair{&displacements, n_displacements}, {&phi, phi.n()}}) {
+      if (basis->unknown.empty()) continue;
+      const std::vector<int> own(basis->coordinate.begin(), basis->coordinate.begin() + m);
+      to(basis->unknown) = Vector(product(basis->vectors.leftCols(m), q(own).eval())).cwiseProduct(basis->unit);
+    }
     carried.add_to(from.tail(from.size() - to_bases.cols()), to);
     return to;
   };

@@ -56,12 +56,14 @@ class Motions : public MarchObserver {
 };
 
 /// A system of few coordinates, with its interface; it has no matrices but those of `ground`, and no readings. Of use
-/// as long as its space is not extended.
+/// as long as its space lives, also where that is extended.
 struct InterfaceModel {
   System system;
   GroundMatrices ground;
   Eigen::MatrixXd position, velocity, acceleration, feedthrough;  ///< of the readings of the whole system
-  const FieldBasis &displacements, &phi;
+  const FieldBasis& displacements;  ///< of the space, whose first `n_displacements` directions are the model's
+  Eigen::Index n_displacements;
+  FieldBasis phi;
   const CarriedMotions& carried;
   Eigen::MatrixXd to_bases;  ///< coordinates of the bases from the free ones of the system
 

@@ -28,6 +28,8 @@ SystemScene system_scene(const Scene& scene) {
   SystemScene part{scene.gravity, scene.fluid,  scene.mesh.degree, scene.regions,     scene.boundaries,
                    scene.loads,   scene.probes, scene.base_stress, scene.time.inertia};
   for (auto& [name, load] : part.loads) load = without_course(load);
+  for (auto& [name, region] : part.regions)
+    if (region.interface) region.interface->coefficient.reset();  // of the law, which the equations do not hold
   return part;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
+#include "dynamics/basis.h"
 #include "fem/caisson/readings.h"
 #include "response/time_choice.h"
 #include "upbead/base/error.h"
@@ -132,6 +133,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
                        const std::function<void(double)>& progress, BasisRoom* room) {
   ReduceOptions options = reduce_options(scene, compiled, targets);
   options.progress = progress;
+  if (room != nullptr && room->shift()) options.shift = *room->shift();
   return reduce(compiled.system, options, room);
 }
 

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include "case/case_run.h"
 #include "good_case.h"
+#include "run/contact/contact_room.h"
+#include "run/derived.h"
 #include "run/monitors.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
@@ -151,6 +154,31 @@ TEST_F(ContactRun, OnAReducedGroundIsThatOfTheWholeOne) {
   });
   EXPECT_NEAR(q.excess(), p.excess(), (named ? b.ground->others : b.ground->tolerance_of_others) * -p.excess());
   expect_told(whole.run, reduced.run, *b.ground);
+}
+
+TEST_F(ContactRun, WavesOfOtherPeaksDurationsAndFrictionShareOneReducedGround) {
+  const auto wave = [](const std::vector<std::string>& keys) {
+    std::vector<std::string> all{friction, "time.scheme=\"reduced\""};
+    all.insert(all.end(), keys.begin(), keys.end());
+    return read_case("case.toml", all);
+  };
+  solve({"time.end=0.01"});  // begins PETSc's session
+  const Case first = wave({"loads.impulse.factor=4"}),
+             second = wave({"loads.impulse.factor=3.5", "loads.impulse.pulse.duration=0.16", "sliding.friction=0.55"});
+  const Simulation before = with_room(simulation_of(first)), after = simulation_after(&before, second, before.mesh());
+  ASSERT_EQ(after.room(), before.room());
+  upbead::solve(first, before);
+  const ReducedGround* ground = before.room()->contact()->ground.get();
+  const BasisRoom* bonded = before.room()->contact()->bonded.get();
+  ASSERT_NE(ground, nullptr);
+  const upbead::Run shared = upbead::solve(second, after), alone = upbead::solve(second, simulation_of(second));
+  EXPECT_EQ(after.room()->contact()->ground.get(), ground);
+  EXPECT_EQ(after.room()->contact()->bonded.get(), bonded);
+  const NodeContact &a = *shared.summary.contact->solved, &b = *alone.summary.contact->solved;
+  ASSERT_TRUE(a.ground && b.ground);
+  EXPECT_EQ(a.slip, b.slip);
+  EXPECT_EQ(a.ground->slip, b.ground->slip);
+  EXPECT_EQ(shared.summary.response->peak_shear, alone.summary.response->peak_shear);
 }
 
 TEST_F(ContactRun, MarchesTheWholeGroundWhereAllCellsAreAskedFor) {

@@ -299,6 +299,21 @@ TEST_F(SameAnswer, OfACaissonThatSlipsByFriction) {
                                                       {{peak("1e6"), {"limits.sliding", "0.01"}}, Shared::solution}}));
 }
 
+TEST_F(SameAnswer, OfContactOnAReducedGround) {
+  const Settings by_name{{"time.scheme", "\"reduced\""}, {"regions.caisson.interface", "{ kind = \"friction\" }"}};
+  expect_same(struck(sliding_table, "", "4e6"),
+              with(by_name, {{{}},
+                             {{peak("3.8e6")}, Shared::system},
+                             {{peak("3.8e6"), duration("0.16")}, Shared::system},
+                             {{peak("8e6"), duration("0.05")}, Shared::system},
+                             {{peak("3.8e6"), {"sliding.friction", "0.5"}}, Shared::system},
+                             {{{"regions.caisson.interface.coefficient", "0.5"}}, Shared::system},
+                             {{{"sliding.submerged_weight", "4.1e6"}}, Shared::system},
+                             {uplift("kind = \"prescribed\", peak = 8e5"), Shared::system},
+                             {{{"initial.water_level", "14.9"}}, Shared::system},
+                             {{{"regions.seabed.shear_modulus", "28e6"}}, Shared::mesh}}));
+}
+
 TEST_F(SameAnswer, OfALoadByAWave) {
   const std::string load = "pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }";
   const std::string text =

@@ -13,6 +13,7 @@
 #include "fem/compile.h"
 #include "fem/static_stage.h"
 #include "run/contact/contact_recorder.h"
+#include "run/contact/contact_room.h"
 #include "run/contact/reduced_ground.h"
 #include "run/derived.h"
 #include "run/sliding/uplift.h"
@@ -25,12 +26,6 @@
 namespace upbead {
 
 namespace {
-
-/// N_i at the nodes of the interface (N/m, compression positive), and the ways tried to find them.
-struct RestForces {
-  Vector normal_force;
-  Ladder ladder;
-};
 
 /// Linear stresses a + b x in equilibrium with the weight: sum l (a + b x) = W', sum l (a + b x) x = 0, x from the
 /// point where the weight acts.
@@ -90,6 +85,15 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface)
   throw NumericsError(rest.ladder.back().refused);
 }
 
+/// The same, from the room where it has them.
+RestForces rest_forces(const Simulation& simulation, const Interface& interface, ContactRoom& room) {
+  if (!simulation.scene().construction.empty()) return rest_forces(simulation, interface);
+  const double level = water_level(simulation.scene(), *simulation.mesh());
+  if (!room.rest || level != room.rest_level) room.rest = rest_forces(simulation, interface);
+  room.rest_level = level;
+  return *room.rest;
+}
+
 /// Rows of shear and normal force alternate, node by node, as bonded() appends them; they are without the uplift.
 void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
           BondedDemand& demand) {
@@ -145,9 +149,9 @@ Ladder joined(Ladder ladder, const Ladder& more) {
 
 /// Sets friction and the forces at rest, with the sum W' of [sliding] where that is given. Returns the ways tried, if
 /// several.
-Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
+Ladder set_at_rest(const Simulation& simulation, Interface& interface, ContactRoom& room) {
   interface.friction = contact_friction(simulation.scene());
-  RestForces rest = rest_forces(simulation, interface);
+  RestForces rest = rest_forces(simulation, interface, room);
   interface.normal_force = std::move(rest.normal_force);
   if (simulation.scene().sliding)
     interface.normal_force *= simulation.scene().sliding->submerged_weight / interface.normal_force.sum();
@@ -189,8 +193,7 @@ Solution march_yielding_contact(const Simulation& simulation, const Marching& ma
   return run_yielding(simulation, marching, nodes);
 }
 
-Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way, const BasisRoom* room) {
-  if (way.reduced) return contact_on_reduced_ground(simulation, marching, room);
+Solution march_contact(const Simulation& simulation, const Marching& marching, const Way& way) {
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.system(), true, way.refined);
   ContactRecorder recorder(simulation.system(), *scheme);
   Marching options = marching;
@@ -240,11 +243,29 @@ void check_at_rest(const Simulation& simulation) {
 
 namespace {
 
-/// A reduced ground has errors of its own: where the bonded caisson has none of few modes, it is marched.
-Simulation with_tied(const Simulation& simulation, const std::shared_ptr<CompiledScene>& tied) {
+/// Room for what a run of contact makes: of the simulation, where it keeps what it is made of, for runs that come
+/// after.
+std::shared_ptr<ContactRoom> contact_room(const Simulation& simulation) {
+  const std::shared_ptr<BasisRoom>& room = simulation.room();
+  if (!room) return std::make_shared<ContactRoom>();
+  if (!room->contact()) room->contact() = std::make_shared<ContactRoom>();
+  return room->contact();
+}
+
+/// A reduced ground has errors of its own: where the bonded caisson has none of few modes, it is marched. Its basis is
+/// about the shift of the ground.
+Simulation with_tied(const Simulation& simulation, const std::shared_ptr<CompiledScene>& tied, ContactRoom& room) {
   const Simulation bonded = with_system(simulation, tied);
-  if (simulation.scene().time.scheme != TimeScheme::reduced) return bonded;
-  return bonded.with([](auto& parts) { parts.scene.time.scheme = TimeScheme::automatic; });
+  if (!reduces_ground(simulation))
+    return simulation.scene().time.scheme != TimeScheme::reduced
+               ? bonded
+               : bonded.with([](auto& parts) { parts.scene.time.scheme = TimeScheme::automatic; });
+  const double shift = shift_of_ground(simulation.scene());
+  if (!room.bonded || room.bonded->shift() != shift) room.bonded = std::make_shared<BasisRoom>(shift);
+  return bonded.with([&](auto& parts) {
+    parts.scene.time.scheme = TimeScheme::automatic;
+    parts.room = room.bonded;
+  });
 }
 
 }  // namespace
@@ -253,11 +274,12 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled());
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
-  const Ladder at_rest = set_at_rest(simulation, *system.interface);
+  const std::shared_ptr<ContactRoom> room = contact_room(simulation);
+  const Ladder at_rest = set_at_rest(simulation, *system.interface, *room);
   const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = bonded(system, true);
-  const Simulation bonded = with_tied(simulation, tied);
+  const Simulation bonded = with_tied(simulation, tied, *room);
   ObserverFunction reported = progress_observer(marching.beside);
   Marching silent;
   silent.observers = {&reported};
@@ -272,7 +294,7 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
                        contact_demand(system, uplift, before.response, margin),
                        {}};
   before = without_node_forces(std::move(before), n_nodes, tied->system);
-  const std::shared_ptr<BasisRoom> room = before.simulation ? before.simulation->room() : nullptr;
+  const bool bonded_reduced = before.reduction.has_value();
   before.simulation = std::make_shared<const Simulation>(bonded);
   before.ladder = joined(at_rest, before.ladder);
   add_loads(uplift, system);
@@ -286,7 +308,8 @@ Solution run_contact(const Simulation& simulation, const Marching& marching) {
   Marching unkept = marching;
   unkept.checkpoints = {};
   const auto solve = [&](const Way& way, const Marching& options) {
-    return march_contact(*moving, options, way, room.get());
+    return way.reduced ? contact_on_reduced_ground(*moving, options, *room, bonded_reduced)
+                       : march_contact(*moving, options, way);
   };
   Solution solved =
       soil_yields ? march_yielding_contact(*moving, unkept) : climb(*moving, contact_ways(*moving), unkept, solve);

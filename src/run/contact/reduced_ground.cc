@@ -12,11 +12,12 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "dynamics/interface_space.h"
+#include "dynamics/ground_steps.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "run/contact/contact_recorder.h"
+#include "run/contact/contact_room.h"
 #include "run/derived.h"
 #include "run/monitors.h"
 #include "upbead/base/error.h"
@@ -33,6 +34,8 @@ constexpr double margin = 5., least_share = 0.25;
 constexpr double of_history = 10.;
 /// Of the largest reading of its unit: a reading below is zero.
 constexpr double round_off = 1e-6;
+/// Vectors of the bonded caisson's model, per independent load, of which the ground begins.
+constexpr int bonded_vectors = 36;
 
 /// Shows an observer what the coordinates of a model say of the whole state, where it wants states.
 class OfWhole : public MarchObserver {
@@ -54,8 +57,9 @@ struct ContactAnswer {
   double slip = 0.;
 };
 
-ContactAnswer answer_of(const Simulation& simulation, const InterfaceModel& model, const Marching& marching) {
-  const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system, model.ground);
+ContactAnswer answer_of(const Simulation& simulation, const ReducedGround::Level& level, const Marching& marching) {
+  const InterfaceModel& model = level.model;
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system, model.ground, level.stages);
   ContactRecorder recorder(model.system, *scheme);
   const auto monitors = std::make_shared<Monitors>(simulation);
   std::list<OfWhole> others;
@@ -155,16 +159,30 @@ bool meets(const ContactGround& error, const ContactAnswer& answer, double toler
   return error.peak_shear <= tolerance && error.slip <= tolerance * slip && error.history <= of_history * tolerance;
 }
 
-/// Directions of the bonded caisson's model, in the order in which they came; none where it has no basis.
-Eigen::MatrixXd directions_of(const GrowingBasis* basis) {
-  if (basis == nullptr) return {};
-  const FieldBasis &u = basis->krylov().displacements(), &phi = basis->krylov().phi();
+/// Directions of the bonded caisson's model at that look, in the order in which they came.
+Eigen::MatrixXd directions_of(const GrowingBasis& basis, const Look& look) {
+  const FieldBasis u = basis.displacements(look), phi = basis.phi(look);
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(u.unknown.size() + phi.unknown.size()),
-                                                  basis->krylov().n_coordinates());
+                                                  look.n_displacements + look.n_phi);
   for (const FieldBasis* of : {&u, &phi})
     for (Eigen::Index j = 0; j < of->n(); ++j)
       columns(of->unknown, of->coordinate[static_cast<std::size_t>(j)]) = of->unit.cwiseProduct(of->vectors.col(j));
   return columns;
+}
+
+/// The kept ground where it serves this scene, else a new one in its place.
+ReducedGround& ground_of(const Simulation& simulation, ContactRoom& room, bool bonded_reduced) {
+  const CompiledScene& compiled = *simulation.compiled();
+  const double shift = shift_of_ground(simulation.scene());
+  const std::shared_ptr<GrowingBasis> basis =
+      bonded_reduced ? room.bonded->basis_about(shift, compiled.body_coordinates) : nullptr;
+  const Look* look = basis ? &basis->reach(bonded_vectors * basis->n_independent_loads()) : nullptr;
+  const Eigen::Index n = look != nullptr ? look->n_displacements + look->n_phi : 0;
+  if (room.ground && room.ground->serves(compiled, shift, n)) return *room.ground;
+  room.ground.reset();  // before the new one takes its memory
+  room.ground = std::make_unique<ReducedGround>(simulation.compiled(), shift,
+                                                look != nullptr ? directions_of(*basis, *look) : Eigen::MatrixXd());
+  return *room.ground;
 }
 
 }  // namespace
@@ -190,23 +208,49 @@ bool reduces_ground(const Simulation& simulation) {
   return simulation.scene().time.scheme == TimeScheme::reduced && why_ground_is_whole(simulation).empty();
 }
 
-Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching, const BasisRoom* room) {
+ReducedGround::ReducedGround(std::shared_ptr<const CompiledScene> compiled, double shift, const Eigen::MatrixXd& bonded)
+    : compiled_(std::move(compiled)),
+      shift_(shift),
+      n_bonded_(bonded.cols()),
+      space_(compiled_->system, shift, compiled_->body_coordinates, compiled_->caisson_motions, bonded) {}
+
+bool ReducedGround::serves(const CompiledScene& compiled, double shift, Eigen::Index n_bonded) const {
+  const std::vector<SystemLoad>&mine = compiled_->system.loads, &others = compiled.system.loads;
+  return shift == shift_ && n_bonded == n_bonded_ &&
+         std::equal(mine.begin(), mine.end(), others.begin(), others.end(),
+                    [](const SystemLoad& a, const SystemLoad& b) { return a.name == b.name && a.vector == b.vector; });
+}
+
+ReducedGround::Level& ReducedGround::level(int number, const System& system) {
+  while (levels_.size() <= static_cast<std::size_t>(number)) {
+    if (!levels_.empty()) space_.extend();
+    levels_.push_back({space_.model(), std::make_shared<detail::GroundStages>(), space_.n_solves()});
+  }
+  Level& level = *std::next(levels_.begin(), number);
+  level.model.system.interface = system.interface;
+  for (std::size_t k = 0; k < system.loads.size(); ++k) level.model.system.loads[k].history = system.loads[k].history;
+  return level;
+}
+
+double shift_of_ground(const Scene& scene) {
+  return std::exp2(std::round(std::log2(krylov_shift(scene))));
+}
+
+Solution contact_on_reduced_ground(const Simulation& simulation, const Marching& marching, ContactRoom& room,
+                                   bool bonded_reduced) {
   const Stopwatch watch;
   const CompiledScene& compiled = *simulation.compiled();
   const double tolerance = whole_tolerance(simulation);
-  const double shift = krylov_shift(simulation.scene());
-  InterfaceSpace space(compiled.system, shift, compiled.body_coordinates, compiled.caisson_motions,
-                       directions_of(room ? room->basis_about(shift, compiled.body_coordinates).get() : nullptr));
+  ReducedGround& ground = ground_of(simulation, room, bonded_reduced);
   std::optional<ContactAnswer> before;
   ContactGround error;
-  for (int level = 0; level < InterfaceSpace::n_levels; ++level) {
-    if (level > 0) space.extend();
-    const InterfaceModel model = space.model();
-    ContactAnswer answer = answer_of(simulation, model, marching);
+  for (int number = 0; number < InterfaceSpace::n_levels; ++number) {
+    const ReducedGround::Level& level = ground.level(number, compiled.system);
+    ContactAnswer answer = answer_of(simulation, level, marching);
     if (before) {
       error = difference(compiled.system, answer, *before, tolerance);
-      error.coordinates = model.system.n_free();
-      error.solves = space.n_solves();
+      error.coordinates = level.model.system.n_free();
+      error.solves = level.n_solves;
       if (meets(error, answer, tolerance)) {
         answer.solution.contact->found.solved->ground = error;
         answer.solution.timing.march = watch.seconds();

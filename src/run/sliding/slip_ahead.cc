@@ -79,7 +79,8 @@ std::shared_ptr<SlipBasis> basis_for_slip(const Simulation& simulation) {
   const CompiledScene& compiled = bonded_scene(simulation);
   const std::shared_ptr<BasisRoom> room = room_of(simulation);
   std::shared_ptr<GrowingBasis> bonded =
-      room ? room->basis_about(krylov_shift(simulation.scene()), compiled.body_coordinates) : nullptr;
+      room ? room->basis_about(room->shift().value_or(krylov_shift(simulation.scene())), compiled.body_coordinates)
+           : nullptr;
   if (bonded && room->slip()) return room->slip();
   return slip_basis(simulation.scene(), compiled, slip_of(simulation), std::move(bonded));
 }
@@ -111,10 +112,11 @@ std::unique_ptr<SlidingSpace> SlipAhead::space_for(const Simulation& simulation)
 std::shared_ptr<SlipAhead> slip_ahead(const Simulation& simulation) {
   if (!is_worth_it(simulation)) return nullptr;
   const CompiledScene& compiled = *simulation.compiled();
+  ReduceOptions options = reduce_options(simulation.scene(), compiled, {});
+  options.shift = simulation.room()->shift().value_or(options.shift);
   try {
-    return std::make_shared<SlipAhead>(
-        std::make_shared<const Simulation>(simulation),
-        simulation.room()->basis(compiled.system, reduce_options(simulation.scene(), compiled, {})));
+    return std::make_shared<SlipAhead>(std::make_shared<const Simulation>(simulation),
+                                       simulation.room()->basis(compiled.system, options));
   } catch (const NumericsError&) {
     return nullptr;  // whoever reduces the scene is told so
   }
