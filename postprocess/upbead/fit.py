@@ -117,6 +117,8 @@ def fit(case: Place, record: Any = None, reading: str | None = None, parameters:
     statistics = judge(parameters, solution, measured, noise, limit, weights)
     if modes:
         statistics["cautions"] += paired.cautions(solution.x)
+    if not soils:
+        statistics["cautions"] += [f"runs warn of {name}: {text}" for name, text in runs.doubts.items()]
     if failures:
         what = "soils were not answered" if soils else "runs failed"
         statistics["cautions"].append(f"{len(failures)} {what} and were left out; the first: {failures[0]}")

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from . import told
 from .commands import run
 from .errors import CaseError, NumericsError, UserError
 from .fit_modes import modes_of, require_modes
@@ -20,13 +21,13 @@ class Runs:
     results are kept.
 
     small: keys of a separate run for the modes, which soils that follow the strain need; {}: no separate run.
-    history, modes: whether they are wanted.
+    history, modes: whether they are wanted. doubts: what runs warn of, by the name of the warning, as the last one told it.
     """
 
     def __init__(self, case, reading, ties, set, jobs, program):
         self.case, self.reading, self.ties, self.jobs, self.program = case, reading, ties, jobs, program
         self.set = {"time.scheme": "reduced", **(set or {})}
-        self.kept, self.n_runs, self.failures = {}, 0, []
+        self.kept, self.n_runs, self.failures, self.doubts = {}, 0, [], {}
         self.small, self.wants_history, self.wants_modes, self.tolerance = {}, True, False, None
         self.end = None  # of the window (s), once it is known
 
@@ -56,10 +57,10 @@ class Runs:
                 with run(self.case, set=keys, out=Path(folder) / "run", program=self.program) as result:
                     return answer(result)
         except (CaseError, NumericsError) as error:
-            told = ", ".join(f"{key} = {value:.6g}" for key, value in point.items()) or "the keys of the case"
+            where = ", ".join(f"{key} = {value:.6g}" for key, value in point.items()) or "the keys of the case"
             marched = isinstance(error, NumericsError) and keys["time.scheme"] == "reduced"
             cure = '\nmarch it: set time.scheme to "sdirk4", and time.step to that of the record' if marched else ""
-            raise type(error)(f"the run with {told} failed: {error}{cure}") from error
+            raise type(error)(f"the run with {where} failed: {error}{cure}") from error
 
     def answers(self, points):
         """[(time, values, modes)] of the points, {key: value}; points that are not known yet are run in parallel."""
@@ -90,6 +91,9 @@ class Runs:
             return np.array([0.0]), np.array([np.nan]), np.empty((0, 3))
 
     def look(self, result):
+        self.doubts.update(told.warnings(result.summary))
+        if told.void(result.summary):
+            self.doubts["void"] = f"no verdict may be drawn of the scene: {told.void(result.summary)}"
         if self.wants_modes and not self.small:
             require_modes(result)
         time, values = (result.time, result[self.reading]) if self.wants_history else (np.zeros(1), np.zeros(1))

@@ -28,6 +28,7 @@ from .soil_model import Axis, SoilModel
 AT_ONCE = 64  # soils between two tellings of progress
 LEAST = 16  # rows of the design that intervals need
 MOST_LEFT_OUT = 0.1  # of the rows: with more the shares would be those of another box
+MOST_HALF = 0.1  # of an interval, as `upbead indices` has it
 
 
 @dataclass
@@ -48,7 +49,8 @@ class KeyShare:
 class Sensitivity:
     """Of one quantity of one wave. value: of the case's own soil. mean, deviation: over the box. soils: how many were
     answered. left_out: rows of the design that were left out, as one of their soils had no answer, and why the first one had
-    none. largest_error: the largest estimate of the model's error in F_T over its peak."""
+    none. largest_error: the largest estimate of the model's error in F_T over its peak. warnings: texts, by name, of what is
+    doubtful: of the case's own soil, and `indices_uncertain` of intervals that are too wide."""
 
     quantity: str
     value: float | None
@@ -59,6 +61,7 @@ class Sensitivity:
     why_left_out: str | None
     largest_error: float
     keys: list[KeyShare] = field(default_factory=list)
+    warnings: dict[str, str] = field(default_factory=dict)
 
     def summary(self) -> dict[str, Any]:
         return asdict(self)
@@ -167,7 +170,17 @@ def judged(quantity: Quantity, keys: list[str], design: Array, own: SoilAnswer, 
     at = [or_none(value_of(answer, quantity)[0]) for answer in ends]
     shares = indices(design, kept, left) if deviation > 1e-9 * abs(mean) else [{} for _ in keys]
     found.keys = [KeyShare(key, at_low=at[2 * i], at_high=at[2 * i + 1], **share) for i, (key, share) in enumerate(zip(keys, shares))]
+    found.warnings = {warning["name"]: warning["text"] for warning in own.warnings} | uncertain(found.keys)
     return found
+
+
+def uncertain(keys: list[KeyShare]) -> dict[str, str]:
+    """Warning indices_uncertain, with the widest of all intervals."""
+    halves = [(0.5 * (high - low), key.key) for key in keys for low, high in (key.first_interval or (0.0, 0.0), key.total_interval or (0.0, 0.0))]
+    worst, key = max(halves)
+    if worst <= MOST_HALF:
+        return {}
+    return {"indices_uncertain": f"a share of {key} is known to +-{worst:.2g} only: ask for more samples, as intervals narrow with their root"}
 
 
 def indices(design: Array, kept: NDArray[np.bool_], values: Array) -> list[dict[str, Any]]:

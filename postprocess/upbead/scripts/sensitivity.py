@@ -89,5 +89,7 @@ def main() -> None:
     with open(out / WRITTEN[1], "w", newline="") as file:
         csv.writer(file).writerows([COLUMNS, *rows(found)])
     print("\n".join(line for of in found for line in table(of)))
+    for name, text in {(name, text) for of in found for name, text in of.warnings.items()}:
+        print(f"warning: {name}: {text}", file=sys.stderr)
     save(figures.sensitivity(found, LABELS, title), out / WRITTEN[2], given.model)
 

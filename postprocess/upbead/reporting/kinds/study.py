@@ -23,7 +23,10 @@ SHARES = (5, 50, 95)
 
 def verdict(study):
     words = [phrase("{count} runs were done.", count=len(study))]
-    failed = len(study.failed)
+    missing = [row for row in study.failed if row["status"] == "missing"]
+    failed = len(study.failed) - len(missing)
+    if missing:
+        words.append(tag("strong", phrase("{count} more are missing.", count=len(missing)), class_="fails"))
     if failed:
         words.append(tag("strong", phrase("{count} more failed, and nothing here knows of them.", count=failed), class_="fails"))
     if study.void.any():
@@ -143,8 +146,8 @@ def spread(study):
         values = sound_numbers(study, name)
         values = values[np.isfinite(values)]
         row = [values.min(), *np.percentile(values, SHARES), values.max()]
-        rows.append((join([title_of(name), " ", tag("code", name)]), *(value_of(name, float(value)) for value in row)))
-    return table(heads("number", "least", "5 %", "median", "95 %", "largest"), rows, "numbers") if rows else ""
+        rows.append((join([title_of(name), " ", tag("code", name)]), len(values), *(value_of(name, float(value)) for value in row)))
+    return table(heads("number", "runs", "least", "5 %", "median", "95 %", "largest"), rows, "numbers") if rows else ""
 
 
 def runs(study):
