@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Contact node by node on a reduced ground against the march of all unknowns: S and the peak of F_T, and what is told.
 
-    /usr/bin/python3 tests/benchmark/ground.py build/upbead named [docs/reference/measured-ground.md]
+    /usr/bin/python3 tests/benchmark/ground.py build/upbead named [docs/reference/measured-slip.md]
     /usr/bin/python3 tests/benchmark/ground.py build/upbead random 100 [--seed 1] [-o FILE.jsonl]
 
 `named`: unlike scenes, a row each, between the markers of the page. `random`: scenes until so many are answered by the
@@ -134,7 +134,7 @@ def line(title, row):
     head = f"| {title} | {row['unknowns']:,} | {row['contact']:.0%} | {1e3 * row['slip']:.2f} | "
     if not row["answered"]:
         return head + f"marched | | | | {row['seconds'][0]:.1f}, {row['seconds'][1]:.1f} |"
-    return head + (f"{1e3 * row['slip_error']:.3f} | {1e3 * row['slip_told']:.3f} | {row['peak_error']:.2%} | {row['peak_told']:.2%} | "
+    return head + (f"{1e3 * row['slip_error']:.4f} | {1e3 * row['slip_told']:.4f} | {row['peak_error']:.2%} | {row['peak_told']:.2%} | "
                    f"{row['seconds'][0]:.1f}, {row['seconds'][1]:.1f} |")
 
 
