@@ -254,24 +254,26 @@ void judge_strain_law(const std::string& at, const StrainLaw& law, NumberedWarni
     judge(at + "damping, its largest ratio", law.damping.back()[1], quantities::largest_damping, list);
 }
 
-/// The damping that two frequencies give where the loads are: its least between the length of the run and the shortest
-/// load.
-void judge_damping(const std::string& at, const Rayleigh& damping, const Scene& scene, NumberedWarnings& list) {
+/// The damping that two frequencies give where the motion is: its least between the length of the run and the faster of
+/// the shortest load and a shear wave that passes a caisson of the width B.
+void judge_damping(const std::string& at, const Region& region, const Scene& scene, double B, NumberedWarnings& list) {
+  const Rayleigh& damping = *region.damping;
   judge(at + "damping.ratio", damping.ratio, quantities::damping, list);
   const double duration = shortest_duration(scene), slow = 1. / scene.time.end;
   if (!(duration > 0.) || !std::isfinite(duration)) return;
-  const double f = std::clamp(std::sqrt(damping.frequencies[0] * damping.frequencies[1]),
-                              std::min(slow, 0.5 / duration), std::max(slow, 0.5 / duration));
+  const double wave = B > 0. ? std::sqrt(region.shear_modulus.value_or(0.) / 2e3) / (2. * B) : 0.;  // of 2 t/m3
+  const double f = std::clamp(std::sqrt(damping.frequencies[0] * damping.frequencies[1]), slow,
+                              std::max({slow, wave, 0.5 / duration}));
   const double ratio = damping.ratio_at(f);
   if (ratio > quantities::damping.high && damping.ratio <= quantities::damping.high)
     list.push_back({"implausible", ratio, quantities::damping.high, "1",
-                    at + "damping: at " + significant(f) + " Hz, where the loads are, the ratio is " +
+                    at + "damping: at " + significant(f) + " Hz, where the motion is, the ratio is " +
                         significant(ratio) + ", more than soil has",
                     "look at damping.frequencies (Hz), between which the ratio is that of damping.ratio"});
 }
 
-void judge_soil(const std::string& at, const Region& region, const Scene& scene, NumberedWarnings& list) {
-  if (region.damping) judge_damping(at, *region.damping, scene, list);
+void judge_soil(const std::string& at, const Region& region, const Scene& scene, double B, NumberedWarnings& list) {
+  if (region.damping) judge_damping(at, region, scene, B, list);
   if (const auto& law = region.stress_law) {
     judge(at + "shear_modulus.reference", law->reference, quantities::modulus, list);
     judge(at + "shear_modulus.pressure", law->pressure, quantities::stress_scale, list);
@@ -362,9 +364,19 @@ void judge_dashpots(const std::string& at, const BaseSupport& dashpots, const Ba
   see("rotation", dashpots.rotation, springs.rotation, about_base, "N s", about);
 }
 
+/// Dashpots only where the springs fit.
+void judge_support(const std::string& at, const Region& region, const Caisson& caisson, double gravity,
+                   NumberedWarnings& list) {
+  const std::size_t before = list.size();
+  judge_springs(at + "springs.", *region.springs, caisson.body.mass * gravity, caisson.bottom_width, list);
+  if (region.dashpots && list.size() == before)
+    judge_dashpots(at + "dashpots.", *region.dashpots, *region.springs, caisson.body, caisson.bottom_centre[1], list);
+}
+
 NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
   const Scene& scene = simulation.given();
+  const auto& caisson = simulation.compiled()->caisson;
   judge_fluid(scene, list);
   for (const auto& [name, region] : scene.regions) {
     const std::string at = "regions." + name + ".";
@@ -373,7 +385,7 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
     judge(at + "density", region.density, quantities::density, list);
     for (const auto& [part, values] : region.parts)
       judge(at + "parts." + part + ".density", values.density, quantities::density, list);
-    judge_soil(at, region, scene, list);
+    judge_soil(at, region, scene, caisson ? caisson->bottom_width : 0., list);
     judge_pores(at, region, list);
     if (region.porosity && region.biot < *region.porosity)
       list.push_back({"biot_below_porosity", region.biot, *region.porosity, "1",
@@ -382,12 +394,7 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
                           ", which no grains that fill the skeleton alone can have: the pore pressure counts for less "
                           "than it is",
                       "give " + at + "biot of at least the porosity; 1 where grains are far stiffer than the soil"});
-    if (region.springs && simulation.compiled()->caisson)
-      judge_springs(at + "springs.", *region.springs, simulation.compiled()->caisson->body.mass * scene.gravity,
-                    simulation.compiled()->caisson->bottom_width, list);
-    if (region.springs && region.dashpots && simulation.compiled()->caisson)
-      judge_dashpots(at + "dashpots.", *region.dashpots, *region.springs, simulation.compiled()->caisson->body,
-                     simulation.compiled()->caisson->bottom_centre[1], list);
+    if (region.springs && caisson) judge_support(at, region, *caisson, scene.gravity, list);
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }

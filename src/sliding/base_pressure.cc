@@ -31,7 +31,8 @@ void look_at_edges(const EffectiveBase& base, std::size_t i, double time, BaseEx
   };
   see(edges.landward, s.peak_heel_pressure, s.peak_heel_pressure_time);
   see(edges.seaward, s.peak_toe_pressure, s.peak_toe_pressure_time);
-  if (!s.lifts_time && std::min(above_all(edges.seaward), above_all(edges.landward)) <= 0.) {
+  const double least = std::min(above_all(edges.seaward), above_all(edges.landward));
+  if (!s.lifts_time && (least <= 0. || base.force[i] <= 0.)) {
     s.lifts_time = time;
     s.lifts = base.force[i] <= 0. ? "all" : base.moment[i] > 0. ? "seaward" : "landward";
   }

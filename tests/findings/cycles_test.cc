@@ -116,6 +116,9 @@ TEST(Cycles, AreJudgedByTheirLimits) {
   scene.limits.tilt = 0.9 * std::abs(s.cycles->by_compaction->tilt);
   EXPECT_EQ(judged("residual pore pressure"), true);
   EXPECT_EQ(judged("settlement in the storm"), true);
+  EXPECT_EQ(judged("tilt in the storm"), std::nullopt) << "the section is its own mirror image";
+  s.cycles->by_compaction->tilt = -1e-3;
+  scene.limits.tilt = 0.9e-3;
   EXPECT_EQ(judged("tilt in the storm"), false);
   s.cycles->by_compaction.reset();
   scene.limits.settlement = 0.9 * s.cycles->by_drainage->settlement;

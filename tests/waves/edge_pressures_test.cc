@@ -46,7 +46,7 @@ TEST(EdgePressures, GrowAboveAllNumbersAsTheResultantComesToTheEdgeAndThenAreNon
 TEST(EdgePressures, AreNoneWhereNothingPresses) {
   for (const double force : {0., -1e6}) {
     EXPECT_FALSE(edge_pressures(force, 1e6, 12.).landward);
-    EXPECT_EQ(edge_pressures(force, 1e6, 12.).seaward, 0.);
+    EXPECT_FALSE(edge_pressures(force, 1e6, 12.).seaward) << "it may come down on either edge";
     EXPECT_FALSE(edge_pressures(force, 0., 12.).seaward);
   }
 }

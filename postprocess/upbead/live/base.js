@@ -33,9 +33,9 @@ export function baseExtremes(base) {
   for (let n = 0; n < base.N.length; ++n) {
     if (worst.lifts === null && !(Math.abs(base.M[n]) <= base.width / 6 * base.N[n])) worst.lifts = {n, edge: base.N[n] > 0 ? -Math.sign(base.M[n]) : 0};
     const [toe, heel] = edgePressures(base.N[n], base.M[n], base.width);
-    const leaves = Math.abs(base.M[n]) >= 0.5 * base.width * base.N[n];
-    if (leaves && base.M[n] >= 0) worst.heel = null;
-    if (leaves && base.M[n] <= 0) worst.toe = null;
+    const leaves = Math.abs(base.M[n]) >= 0.5 * base.width * base.N[n], floats = base.N[n] <= 0;
+    if (floats || (leaves && base.M[n] >= 0)) worst.heel = null;
+    if (floats || (leaves && base.M[n] <= 0)) worst.toe = null;
     if (worst.heel !== null) worst.heel = Math.max(worst.heel, heel);
     if (worst.toe !== null) worst.toe = Math.max(worst.toe, toe);
     worst.leastN = Math.min(worst.leastN, base.N[n]);
