@@ -262,13 +262,14 @@ namespace {
 
 /// Where on the lowest face of a wall a load begins, as seen from the foot: 0 at the foot, 1 at the face's upper end,
 /// and a hair above that place where it is not the foot, as a shape that is to begin there may begin a last digit above
-/// the node. A load that begins inside the face is spread over all of it.
+/// the node. A load that begins a little above the foot, which the face spreads to it, counts from there; one that
+/// begins higher has no pressure at the foot.
 double begin_on_face(const Load& load, const Point<dim>& foot, const Point<dim>& upper) {
-  constexpr double hair = 1e-9;
+  constexpr double hair = 1e-9, little = 0.1;
   const double from = shape_coordinate(load, foot[0], foot[1]), to = shape_coordinate(load, upper[0], upper[1]);
   if (load.shape.empty() || from == to) return 0.;
   const double begin = ((to > from ? load.shape.front() : load.shape.back())[0] - from) / (to - from);
-  return begin > 0. && begin < 1. - hair ? begin + hair : 0.;
+  return begin > 0. && begin < little ? begin + hair : 0.;
 }
 
 }  // namespace
