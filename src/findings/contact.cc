@@ -132,6 +132,7 @@ NumberedWarnings warnings_of_gap(const Evidence& e, const Summary& summary) {
   if (!is_solved_with_friction(summary)) return {};
   const NodeContact& solved = *summary.contact->solved;
   if (!solved.first_open || solved.gap_force.value_or(1.) > 0.) return {};
+  if (!uplift_loads(e.simulation, {}, {}).empty()) return {};  // gaps have its pressure
   for (const TimeFunction& foot : pressures_at_feet(e.simulation))
     if (extremum(foot, 0., e.scene.time.end, 1).value > 0.) return {};
   return {{"gap_without_pressure", std::max(solved.opening_seaward, solved.opening_landward), 0., "m",

@@ -333,7 +333,7 @@ Check settling_check(const CyclesSummary& cycles, const std::string& name, const
                            (tilts ? ", which know no direction: not by the lasting push of waves" : "")),
               limits, limit);
   const double down = (compacts ? *cycles.by_compaction : *cycles.by_drainage).settlement;
-  if (tilts && demand <= tilt_of_round_off * std::abs(down))
+  if (tilts && demand < tilt_of_round_off * std::abs(down))
     return not_checked(check,
                        "amplitudes of shear know no direction, and so they do not tilt a section that is its own "
                        "mirror image; the lasting push of waves, which does, is not in them");
@@ -344,14 +344,16 @@ Checks cycles_checks(const Scene& scene, const Summary& summary) {
   if (!scene.cycles) return {};
   if (!summary.cycles) {
     Checks list;
-    const auto add = [&](FailureMode mode, const char* name, const char* unit, std::optional<double> Limits::*limit) {
+    const auto add = [&](FailureMode mode, const char* name, const char* unit, std::optional<double> Limits::*limit,
+                         const char* measure) {
       if (scene.limits.*limit)
-        list.push_back(
-            not_checked(held_to(check_of(mode, name, unit, {}, "", ""), scene.limits, limit), summary.why_no_cycles));
+        list.push_back(not_checked(held_to(check_of(mode, name, unit, {}, measure, ""), scene.limits, limit),
+                                   summary.why_no_cycles));
     };
-    add(FailureMode::residual_pressure, "residual pore pressure", "", &Limits::pressure_ratio);
-    add(FailureMode::settlement, "settlement in the storm", "m", &Limits::settlement);
-    add(FailureMode::tilt, "tilt in the storm", "rad", &Limits::tilt);
+    add(FailureMode::residual_pressure, "residual pore pressure", "", &Limits::pressure_ratio, "cycles.largest_ratio");
+    add(FailureMode::settlement, "settlement in the storm", "m", &Limits::settlement,
+        "cycles.by_compaction.settlement");
+    add(FailureMode::tilt, "tilt in the storm", "rad", &Limits::tilt, "cycles.by_compaction.tilt");
     return list;
   }
   const CyclesSummary& cycles = *summary.cycles;

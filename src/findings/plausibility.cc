@@ -152,22 +152,35 @@ class OnItsMesh {
     if (caisson && scene_.sliding && scene_.sliding->uplift) judge_uplift(*scene_.sliding->uplift);
   }
 
-  /// A shape in heights above the foot of the wall, or of another datum, reaches below the wall.
+  /// Ends of the curve of a load on the caisson, in the coordinate of its shape; the first above the second where the
+  /// curve does not touch the caisson.
+  std::pair<double, double> on_curve(const Load& load) const {
+    double low = infinity, high = -infinity;
+    bool on_caisson = false;
+    for (const auto& cell : simulation_.mesh()->triangulation.active_cell_iterators())
+      for (const unsigned f : cell->face_indices()) {
+        const auto face = cell->face(f);
+        if (simulation_.mesh()->curve_of(face) != load.boundary) continue;
+        on_caisson = on_caisson || simulation_.mesh()->surface_of(cell) == caisson_name;
+        for (const unsigned v : {0U, 1U}) {
+          const double at = shape_coordinate(load, face->vertex(v)[0], face->vertex(v)[1]);
+          low = std::min(low, at);
+          high = std::max(high, at);
+        }
+      }
+    return on_caisson ? std::pair(low, high) : std::pair(infinity, -infinity);
+  }
+
+  /// A shape in heights above the foot of the wall, or of another datum, presses below the wall.
   void judge_shapes() {
     constexpr double hair = 1e-3;  // of the wall's height
     for (const auto& [name, load] : scene_.loads) {
       if (load.shape.empty() || load.boundary.empty() || load.factor == 0. || !load.transducer.empty()) continue;
-      double low = infinity, high = -infinity;
-      for (const auto& cell : simulation_.mesh()->triangulation.active_cell_iterators())
-        for (const unsigned f : cell->face_indices())
-          if (const auto face = cell->face(f); simulation_.mesh()->surface_of(cell) == caisson_name &&
-                                               simulation_.mesh()->curve_of(face) == load.boundary)
-            for (const unsigned v : {0U, 1U}) {
-              const double at = shape_coordinate(load, face->vertex(v)[0], face->vertex(v)[1]);
-              low = std::min(low, at);
-              high = std::max(high, at);
-            }
-      if (!(high > low) || load.shape.front()[0] >= low - hair * (high - low)) continue;
+      const auto [low, high] = on_curve(load);
+      const auto presses_below = [&, end = low - hair * (high - low)](const std::array<double, 2>& corner) {
+        return corner[0] < end && corner[1] != 0.;
+      };
+      if (!(high > low) || std::none_of(load.shape.begin(), load.shape.end(), presses_below)) continue;
       list_.push_back({"implausible", load.shape.front()[0], low, "m",
                        "loads." + name + ".shape begins at " + significant(load.shape.front()[0], 5) + " m, and '" +
                            load.boundary + "' reaches from " + significant(low, 5) + " to " + significant(high, 5) +
@@ -261,7 +274,11 @@ void judge_damping(const std::string& at, const Region& region, const Scene& sce
   judge(at + "damping.ratio", damping.ratio, quantities::damping, list);
   const double duration = shortest_duration(scene), slow = 1. / scene.time.end;
   if (!(duration > 0.) || !std::isfinite(duration)) return;
-  const double wave = B > 0. ? std::sqrt(region.shear_modulus.value_or(0.) / 2e3) / (2. * B) : 0.;  // of 2 t/m3
+  const double G = region.shear_modulus    ? *region.shear_modulus
+                   : region.stress_law     ? region.stress_law->reference
+                   : region.youngs_modulus ? *region.youngs_modulus / 3.
+                                           : 0.;
+  const double wave = B > 0. ? std::sqrt(G / 2e3) / (2. * B) : 0.;  // of 2 t/m3
   const double f = std::clamp(std::sqrt(damping.frequencies[0] * damping.frequencies[1]), slow,
                               std::max({slow, wave, 0.5 / duration}));
   const double ratio = damping.ratio_at(f);

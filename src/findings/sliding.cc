@@ -166,7 +166,9 @@ double lost_friction(const Summary& summary) {
 std::string about_push(const Summary& summary) {
   const double lost = lost_friction(summary);
   return std::string(summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "") +
-         (lost > 0. ? ", and " + with_unit(lost, "N/m") + ", mu times the largest force of the loads upward" : "");
+         (lost > 1e-9 * summary.sliding->history.resistance
+              ? ", and " + with_unit(lost, "N/m") + ", mu times the largest force of the loads upward"
+              : "");
 }
 
 constexpr double no_force = 1e-6;  // of the largest P
@@ -182,8 +184,8 @@ Check seaward_check(const Scene& scene, const Summary& summary, const std::strin
   const ShearResponse& r = *summary.response;
   const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
   if (!no_trough || !*check.holds) return check;
-  return not_checked(check, "no trough acts: no load pushes the caisson seaward, and its rebound alone, " +
-                                with_unit(*check.demand, "N/m") + ", stays below mu W'" +
+  return not_checked(check, "no trough acts: no load pushes the caisson seaward, and its rebound, " +
+                                with_unit(*check.demand, "N/m") + about_push(summary) + ", stays below mu W'" +
                                 (summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
