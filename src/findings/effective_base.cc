@@ -130,20 +130,6 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   return base;
 }
 
-EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time) {
-  const CompiledScene& compiled = *simulation.compiled();
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    base.force[i] = base.weight - base.uplift[i];
-    base.moment[i] = base.weight_moment + base.uplift_moment[i];
-    for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
-      const double f = until_end(compiled.system.loads[k].history, time[i], simulation.scene().time.end);
-      base.force[i] -= f * compiled.loads_on_caisson[k].force_y;
-      base.moment[i] += f * compiled.loads_on_caisson[k].moment;
-    }
-  }
-  return base;
-}
-
 EffectiveBase loads_alone(const Simulation& simulation, EffectiveBase base, const Series& ends) {
   const auto& sliding = simulation.scene().sliding;
   const bool computed = sliding && sliding->uplift && sliding->uplift->kind == UpliftKind::computed;
@@ -153,7 +139,17 @@ EffectiveBase loads_alone(const Simulation& simulation, EffectiveBase base, cons
     base.uplift[i] -= ends.reading(system.reading(reading::uplift), t);
     base.uplift_moment[i] -= ends.reading(system.reading("uplift_moment"), t);
   }
-  return without_motion(simulation, std::move(base), ends.time);
+  const CompiledScene& compiled = *simulation.compiled();
+  for (std::size_t i = 0; i < ends.time.size(); ++i) {
+    base.force[i] = base.weight - base.uplift[i];
+    base.moment[i] = base.weight_moment + base.uplift_moment[i];
+    for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+      const double f = until_end(compiled.system.loads[k].history, ends.time[i], simulation.scene().time.end);
+      base.force[i] -= f * compiled.loads_on_caisson[k].force_y;
+      base.moment[i] += f * compiled.loads_on_caisson[k].moment;
+    }
+  }
+  return base;
 }
 
 namespace {

@@ -27,11 +27,8 @@ void judge_weight(const std::string& key, double given, const Simulation& simula
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends,
                                             const std::optional<ContactSolution>& contact = std::nullopt);
 
-/// The same without motion: the loads at each time as they act on the caisson, with the same uplift.
-EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time);
-
-/// The loads alone: without motion, and without the modelled pore pressure, suction under an open base for instance,
-/// unless the case takes its uplift from that. `ends`: as of `base`.
+/// The loads alone, at each time as they act on the caisson: without motion, and without the modelled pore pressure,
+/// suction under an open base for instance, unless the case takes its uplift from that. `ends`: as of `base`.
 EffectiveBase loads_alone(const Simulation& simulation, EffectiveBase base, const Series& ends);
 
 /// The histories effective_normal_force, effective_base_moment, eccentricity (0 where N' <= 0), toe_pressure (of the
