@@ -46,16 +46,20 @@ function(upbead_lean package commands)
   file(TOUCH ${UPBEAD_LEAN}/made/${package}-${recipe})
 endfunction()
 
+# A compiler that looks for memory to free only from 1.5 GB on takes a tenth less time.
+set(late_garbage --param=ggc-min-heapsize=1500000)
+
 # Each source of a folder given to a compiler, on all cores; and of the objects a library.
 set(compile [[
 compile() { # FOLDER COMPILER OPTIONS ...
   folder=$1
   shift
-  find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(nproc)" -I {} "$@" -w -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
+  find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(nproc)" -I {} "$@" -w @late_garbage@ -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
 }
 unity() { /usr/bin/python3 -B "@here@/unity.py" "$@"; }
 ]])
 string(REPLACE @here@ ${CMAKE_CURRENT_LIST_DIR} compile "${compile}")
+string(REPLACE @late_garbage@ ${late_garbage} compile "${compile}")
 
 # Of deal.II, in one and two dimensions and in double precision alone, these sources, each folder in so many parts. What they
 # call besides, and nobody here, the linker throws away.
@@ -188,4 +192,5 @@ set(DEAL_II_INCLUDE_DIRS ${prefix}/include ${lean_hdf5_headers} ${MPI_CXX_INCLUD
 set(DEAL_II_LIBRARIES_RELEASE ${prefix}/lib/libdeal_II.a ${prefix}/lib/libgmsh.a ${lean_hdf5} ${lean_metis} lapack blas
   ${CMAKE_DL_LIBS})
 list(APPEND PKG_CONFIG_ARGN --static) # what a static PETSc stands on
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:${late_garbage}>)
 add_link_options(LINKER:--gc-sections)
