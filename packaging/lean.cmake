@@ -54,7 +54,7 @@ set(compile [[
 compile() { # FOLDER COMPILER OPTIONS ...
   folder=$1
   shift
-  find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(nproc)" -I {} "$@" -w @late_garbage@ -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
+  find "$folder" -name '*.c' -o -name '*.cc' -o -name '*.cpp' | xargs -P "$(env -u OMP_NUM_THREADS nproc)" -I {} "$@" -w @late_garbage@ -fPIC -ffunction-sections -fdata-sections -c {} -o {}.o
 }
 unity() { /usr/bin/python3 -B "@here@/unity.py" "$@"; }
 ]])
