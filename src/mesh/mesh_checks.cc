@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -161,6 +162,40 @@ bool check_joints(const RawMesh& mesh, const std::vector<Side>& outer, MeshRepor
   return found.twice.count + found.hanging.count == 0;
 }
 
+/// The surfaces of each part of the mesh whose cells share no node with those of another part.
+std::vector<std::set<std::string>> parts_of(const RawMesh& mesh) {
+  std::vector<unsigned int> joined(mesh.vertices.size());
+  std::iota(joined.begin(), joined.end(), 0U);
+  const auto first_of = [&](unsigned int v) {
+    while (joined[v] != v) v = joined[v] = joined[joined[v]];
+    return v;
+  };
+  for (const RawMesh::Cell& cell : mesh.cells)
+    for (const unsigned int v : cell.vertices) joined[first_of(v)] = first_of(cell.vertices[0]);
+  std::map<unsigned int, std::set<std::string>> parts;
+  for (const RawMesh::Cell& cell : mesh.cells)
+    parts[first_of(cell.vertices[0])].insert(mesh.surfaces[static_cast<std::size_t>(cell.surface)]);
+  std::vector<std::set<std::string>> list;
+  for (const auto& [vertex, surfaces] : parts) list.push_back(surfaces);
+  return list;
+}
+
+/// Reports parts that lie apart, by however little: each would move on its own.
+void check_parts(const RawMesh& mesh, MeshReport& report) {
+  const std::vector<std::set<std::string>> parts = parts_of(mesh);
+  if (parts.size() < 2) return;
+  std::string names;
+  for (const std::set<std::string>& part : parts) {
+    names += names.empty() ? "" : "; ";
+    for (const std::string& surface : part) names += (surface == *part.begin() ? "" : ", ") + quoted(surface);
+  }
+  report.add("it falls into " + counted(parts.size(), "part") +
+                 " that share no node, so that nothing passes from one to "
+                 "the other: " +
+                 names,
+             "let parts that touch share their points and curves (`Coherence;`), and look for a gap between them");
+}
+
 }  // namespace
 
 void check_mesh(const RawMesh& mesh, MeshReport& report) {
@@ -176,7 +211,9 @@ void check_mesh(const RawMesh& mesh, MeshReport& report) {
   check_curves(mesh, sides, report);
   // Sides at an open joint would be taken for outer sides; so would sides where cells of a wrong kind were left out.
   const bool whole = report.empty();
-  if (check_joints(mesh, outer, report) && whole) check_outer(mesh, outer, report);
+  if (!check_joints(mesh, outer, report) || !whole) return;
+  check_parts(mesh, report);
+  check_outer(mesh, outer, report);
 }
 
 }  // namespace upbead

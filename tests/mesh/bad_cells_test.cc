@@ -60,6 +60,15 @@ TEST(BadCells, TwoNodesAtOnePlace) {
                  "points and curves for both blocks, or `Coherence;`, or Geometry.AutoCoherence = 1"));
 }
 
+TEST(BadCells, PartsThatLieApart) {
+  for (const double gap : {1e-5, 0.5}) {
+    const std::string from = std::to_string(1. + gap), to = std::to_string(2. + gap);
+    const MshFile file = two_cells({"5 " + from + " 0 0", "6 " + to + " 0 0", "7 " + to + " 1 0", "8 " + from + " 1 0"},
+                                   "5 6 7 8", {"5 6", "6 7", "7 8", "8 5"});
+    EXPECT_THAT(complaints(file), testing::Contains(HasSubstr("2 parts that share no node"))) << gap;
+  }
+}
+
 TEST(BadCells, HangingNode) {
   MshFile file = two_cells({"5 2 0 0", "6 2 0.5 0", "7 1 0.5 0", "8 2 1 0"}, "2 5 6 7", {"2 5", "5 6", "6 8", "8 3"});
   file.elements.push_back("20 3 2 1 1 7 6 8 3");
