@@ -88,7 +88,8 @@ void StepInterior::begin(const State& state, double last_step) {
 
 void StepInterior::add_step(const State& state, Series& inside) {
   const double h = state.time - last_;
-  const Course way = course(h);
+  const Course by_loads = course(h), way = has_jumped_ ? Course::straight : by_loads;
+  has_jumped_ = by_loads == Course::straight && !inertia_;
   const std::vector<Part> now = parts_of(state);
   const auto first = static_cast<Eigen::Index>(inside.time.size());
   constexpr auto n_places = static_cast<Eigen::Index>(inside_places.size());

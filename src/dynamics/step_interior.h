@@ -21,7 +21,8 @@ constexpr std::array<double, 5> inside_places{0., 0.2, 0.4, 0.6, 0.8};
 ///   by the quartic without x'' at the begin, where a load has jumped there;
 ///   by the cubic through x and x', O(h^4) and O(h^3), without inertia and where loads prescribe motions or pressures,
 ///   as x'' is of first order there;
-///   straight where x or x' jumps: where a load jumps without inertia, or one that prescribes.
+///   straight where x or x' jumps: where a load jumps without inertia, or one that prescribes; without inertia in the
+///   step after that, too, as x' at its begin still holds what is left of the stiff part of the jump.
 class StepInterior {
  public:
   /// The system must outlive this.
@@ -47,6 +48,7 @@ class StepInterior {
   const System& system_;
   bool inertia_ = false, prescribes_ = false;
   double last_ = 0., last_step_ = 0.;  ///< end and length of the step before (s)
+  bool has_jumped_ = false;            ///< whether it was one of a jump without inertia
   std::vector<Part> before_;
 };
 

@@ -83,6 +83,27 @@ TEST_P(Terzaghi, Consolidates) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, Terzaghi, ::testing::Values(0u, 1u));
 
+/// Between the ends of its steps, too, a column under a load that jumps settles ever further, and not beyond.
+TEST(Terzaghi, SettlesWithoutTurningInsideCoarseSteps) {
+  const Json entry = reference("ref1_consolidation").at("terzaghi").at(0);
+  Scene scene = column(consolidating(entry), step_load(entry.at("q")));
+  scene.fluid = fluid(entry.at("mat"));
+  scene.time.inertia = false;
+  scene.probes["top"].at = {0.5, entry.at("L")};
+  const auto mesh = column_mesh(entry.at("L"), 60, 20.);
+  const Compiled compiled(scene, *mesh);
+  const std::vector<double> t = entry.at("t");
+  const Response response = consolidate(compiled.system, {t[t.size() / 2]}, 6);
+  const auto row = compiled.system.reading("probes/top/displacement_y");
+  const auto ends = response.ends.reading.row(row), inside = response.inside.reading.row(row);
+  ASSERT_EQ(response.inside.time.size(), 5u * 6u);
+  for (Eigen::Index i = 0; i < inside.cols(); ++i) {
+    const Eigen::Index step = i / 5;  // its ends are the columns step and step + 1, at rest first
+    EXPECT_LE(inside[i], ends[step] + 1e-12) << response.inside.time[static_cast<std::size_t>(i)];
+    EXPECT_GE(inside[i], ends[step + 1] - 1e-12) << response.inside.time[static_cast<std::size_t>(i)];
+  }
+}
+
 /// A quarter of Mandel's specimen: symmetric about x = 0 and y = 0, drained and free at x = a, under a smooth plate.
 Scene quarter_specimen(const Json& entry) {
   const double a = entry.at("a"), half_force = entry.at("F_half_total");
