@@ -9,7 +9,7 @@
 namespace upbead {
 
 bool pushes_seaward_alone(const Eigen::RowVectorXd& P) {
-  return P.maxCoeff() <= 0. && P.minCoeff() < 0.;
+  return pushes_seaward_alone(P.maxCoeff(), P.minCoeff());
 }
 
 Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
@@ -28,6 +28,17 @@ Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vecto
   return U;
 }
 
+namespace {
+
+/// W' less the uplift after the wave: one that is held stays, unless it lifts the caisson, which slides_on tells.
+double normal_after(const ModelSliding& sliding, const Eigen::RowVectorXd& U) {
+  const double weight = sliding.submerged_weight;
+  const bool stays = sliding.uplift == "held" && U.size() > 0 && U[U.size() - 1] < weight;
+  return weight - (stays ? U[U.size() - 1] : 0.);
+}
+
+}  // namespace
+
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
                         const Eigen::RowVectorXd& shear, const Eigen::RowVectorXd& U) {
   const Eigen::RowVectorXd F_T = shear.array() + sliding.push;
@@ -42,7 +53,7 @@ double sliding_distance(const ModelSliding& sliding, double mass, const std::vec
   const std::vector<double> left(time.begin() + rest, time.end());
   History resistance{left, {R.begin() + rest, R.end()}};
   resistance.time.push_back(left.back());
-  resistance.value.push_back(sliding.friction * sliding.submerged_weight);  // resistance after the wave
+  resistance.value.push_back(sliding.friction * normal_after(sliding, U));
   return slide(mass, {left, {F_T.begin() + rest, F_T.end()}}, resistance, sliding.drag).residual;
 }
 
@@ -64,29 +75,30 @@ SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& slidin
 }
 
 /// Lets the loads jump to zero at the end, and adds a step of rest.
-SampledLoads with_rest(SampledLoads loads, double step, double submerged_weight) {
+SampledLoads with_rest(SampledLoads loads, double step, double normal) {
   const Eigen::Index n = loads.begin.cols();
   loads.time.push_back(loads.time.back() + step);
   for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
     part->conservativeResize(Eigen::NoChange, n + 1);
     part->col(n).setZero();
-    (*part)(part->rows() - 1, n) = submerged_weight;
+    (*part)(part->rows() - 1, n) = normal;
   }
   return loads;
 }
 
 CoupledSliding slide(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                     double submerged_weight, const Eigen::RowVectorXd& prescribed) {
+                     const ModelSliding& sliding, const Eigen::RowVectorXd& prescribed) {
   const Eigen::Index K = loads.rows(), N = loads.cols();
-  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, submerged_weight);
+  const double after = normal_after(sliding, prescribed);
+  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, sliding.submerged_weight);
   if (prescribed.size() > 0) normal -= prescribed;
   if (batch) {
     WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
     all.topLeftCorner(K, N) = loads;
-    all.row(K) << normal, submerged_weight;
+    all.row(K) << normal, after;
     return slip.slide(all);
   }
-  return slip.slide(with_rest(with_load(with_jumps(loads, grid), normal), slip.step(), submerged_weight));
+  return slip.slide(with_rest(with_load(with_jumps(loads, grid), normal), slip.step(), after));
 }
 
 }  // namespace
@@ -106,10 +118,8 @@ std::shared_ptr<const WaveSlip> WaveSlips::of_step(double step) {
 }
 
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                        double submerged_weight, const Eigen::RowVectorXd& prescribed) try {
-  const auto slid_by = [&](const CoupledSlip& model) {
-    return slide(model, loads, grid, batch, submerged_weight, prescribed);
-  };
+                        const ModelSliding& sliding, const Eigen::RowVectorXd& prescribed) try {
+  const auto slid_by = [&](const CoupledSlip& model) { return slide(model, loads, grid, batch, sliding, prescribed); };
   const CoupledSliding slid = slid_by(slip.slip);
   std::string why_not = why_no_distance(slid);
   if (why_not.empty() && slip.more_damped && slid.slip.path > 0.)

@@ -58,10 +58,10 @@ struct SlipOfWave {
 };
 
 /// Loads on the grid, and N_0 = W' minus the part of the uplift that the model does not compute, `prescribed` (N/m;
-/// empty: none), straight between the times. After the grid no load acts and N_0 = W'; the slip is followed until it
-/// stops.
+/// empty: none), straight between the times. After the grid no load acts and N_0 is W', less an uplift that is held;
+/// the slip is followed until it stops.
 /// - batch: the grid has equal steps and a jump only at its beginning; the loads then fall to zero within one step.
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                        double submerged_weight, const Eigen::RowVectorXd& prescribed);
+                        const ModelSliding& sliding, const Eigen::RowVectorXd& prescribed);
 
 }  // namespace upbead

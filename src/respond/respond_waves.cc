@@ -285,8 +285,7 @@ class FileWork {
     const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
     if (slip_) {
-      SlipOfWave slip =
-          slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
+      SlipOfWave slip = slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom, prescribed);
       out.coupled = slip.coupled;
       out.why_not_coupled = std::move(slip.why_not);
     }
@@ -294,7 +293,7 @@ class FileWork {
     const double force = (force_ * loads.col(last)).value() + bottom.push,
                  normal = bottom.submerged_weight - (U.size() > 0 ? U[last] : 0.);
     const bool slid = *out.sliding != 0. || (out.coupled && out.coupled->largest != 0.);
-    out.slides_on = slid && std::abs(force) > bottom.friction * std::max(normal, 0.);
+    out.slides_on = slid && !(normal > 0. && std::abs(force) <= bottom.friction * normal);
   }
 
   void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& shear,

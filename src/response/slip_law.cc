@@ -21,4 +21,9 @@ SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values) {
   return loads;
 }
 
+bool pushes_seaward_alone(double largest, double least) {
+  constexpr double noise = 0.05;
+  return least < 0. && largest <= -noise * least;
+}
+
 }  // namespace upbead

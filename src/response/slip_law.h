@@ -16,6 +16,10 @@ namespace upbead {
 SlipLaw slip_law(const ReducedSystem& system, double friction, UpliftKind uplift,
                  const std::vector<std::string>& outputs = {});
 
+/// Whether waves press on the landward wall alone, by the largest and the least force on the caisson: then all is as in
+/// a mirror. What is landward may be noise of a record, a twentieth of the rest at most.
+bool pushes_seaward_alone(double largest, double least);
+
 /// Adds another load with these values at the times.
 SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values);
 

@@ -232,6 +232,21 @@ TEST(RespondSlip, APrescribedUpliftFollowsWavesFromEitherSide) {
   EXPECT_EQ(uplift_of_force(sliding, time, both)[2], 0.) << "the trough after a crest";
 }
 
+/// Where a record ends while the caisson slides it is braked by what is left of its weight.
+TEST(RespondSlip, AnUpliftThatIsHeldStaysAfterTheRecord) {
+  ModelSliding sliding{friction, weight};
+  const double mass = 1e5, end = 0.2, uplift = 0.4 * weight, force = 2. * friction * weight;
+  const std::vector<double> time{0., end};
+  const auto constant = [](double value) { return Eigen::RowVectorXd(Eigen::RowVectorXd::Constant(2, value)); };
+  for (const std::string course : {"in_phase", "held"}) {
+    sliding.uplift = course;
+    const double lifted = friction * (weight - uplift), a = (force - lifted) / mass, v = a * end;
+    const double R = course == "held" ? lifted : friction * weight;
+    const double S = 0.5 * a * end * end + 0.5 * mass * v * v / R;
+    EXPECT_NEAR(sliding_distance(sliding, mass, time, constant(force), constant(uplift)), S, 1e-9 * S) << course;
+  }
+}
+
 /// A record that ends above friction has no S of its own.
 TEST(RespondSlip, LoadsThatStayAboveFrictionAreTold) {
   const ReducedModelFile model = model_with_slip();

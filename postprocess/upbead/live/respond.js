@@ -46,8 +46,11 @@ function valueAt(time, y, t) {
   return (1 - part) * y[next - 1] + part * y[next];
 }
 
-// Whether waves press on the landward wall alone: then all is as in a mirror.
-const pushesSeawardAlone = (P) => P.every((value) => value <= 0) && P.some((value) => value < 0);
+// Whether waves press on the landward wall alone, but for noise: then all is as in a mirror (src/response/slip_law.cc).
+function pushesSeawardAlone(P) {
+  const largest = P.reduce((most, value) => Math.max(most, value), 0), least = P.reduce((most, value) => Math.min(most, value), 0);
+  return least < 0 && largest <= -0.05 * least;
+}
 
 // U(t) that follows P(t), in phase or held, as src/respond/respond_slip.cc has it.
 function upliftOfForce({uplift, uplift_per_force, lag}, time, force) {

@@ -142,7 +142,8 @@ export function slideOnFriction(sliding, mass, time, F, U) {
   let start = 0;
   while (start < F.length && Math.abs(F[start]) <= R[start]) ++start;
   if (start === F.length) return {S: 0, slips: 0};
-  const block = new Block(mass, drag), after = friction * weight;
+  const stays = sliding.uplift === "held" && U && R[R.length - 1] > 0;  // as src/respond/respond_slip.cc has it
+  const block = new Block(mass, drag), after = stays ? R[R.length - 1] : friction * weight;
   for (let n = Math.max(start - 1, 0); n + 1 < F.length; ++n)
     block.pass({start: time[n], length: time[n + 1] - time[n], F: [F[n], F[n + 1]], R: [R[n], R[n + 1]]});
   if (block.speed > 0)

@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "response/shear_response.h"
+#include "response/slip_law.h"
 
 namespace upbead {
 
 namespace {
 
-/// Whether waves press on the landward wall alone: then all is as in a mirror.
 bool pushes_seaward_alone(const TimeFunction& P, double end) {
-  return extremum(P, 0., end, 1).value <= 0. && extremum(P, 0., end, -1).value < 0.;
+  return upbead::pushes_seaward_alone(extremum(P, 0., end, 1).value, extremum(P, 0., end, -1).value);
 }
 
 /// U follows P by `lag` while P is landward, or where it never is, while it is seaward; with the course held, U stays
