@@ -75,24 +75,78 @@ NumberedWarnings centroid_warnings(const Case& input, const Simulation& simulati
            "give section.centroid = " + significant(0.5 * B - *e, 4) + ", or mend the caisson's centre of gravity"}};
 }
 
+/// Whether one of these curves meets the foot of a wall of the caisson, so that a pressure on it gets under the base.
+bool reaches_foot(const Simulation& simulation, const std::vector<std::string>& curves) {
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const Mesh& mesh = *simulation.mesh();
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary()) continue;
+      if (std::find(curves.begin(), curves.end(), mesh.curve_of(face)) == curves.end()) continue;
+      for (const unsigned v : {0U, 1U}) {
+        const auto from = face->vertex(v) - caisson.bottom_centre;
+        if (std::hypot(std::abs(from[0]) - 0.5 * caisson.bottom_width, from[1]) < 1e-6 * caisson.bottom_width)
+          return true;
+      }
+    }
+  return false;
+}
+
 /// Warning uplift_left_out: a wave presses on the wall alone, and nothing lifts the caisson.
 NumberedWarnings warnings_of_no_uplift(const Case& input, const Simulation& simulation) {
   const auto& sliding = input.scene.sliding;
-  if (!simulation.compiled()->caisson || !sliding || (sliding->uplift && sliding->uplift->kind != UpliftKind::computed))
-    return {};
+  const bool is_given = sliding && sliding->uplift && sliding->uplift->kind != UpliftKind::computed;
+  if (!simulation.compiled()->caisson || is_given) return {};
   for (const WaveLoad* wave : acting_waves(input)) {
-    if (!wave->table.mound.empty() || !(wave->pressure.uplift > 0.)) continue;
+    if (reaches_foot(simulation, wave->table.mound) || !(wave->pressure.uplift > 0.)) continue;
     const std::string U = with_unit(wave->pressure.uplift, "N/m");
-    return {
-        {"uplift_left_out", wave->pressure.uplift, 0., "N/m",
-         "the load by a wave presses on the wall alone, and " +
-             std::string(sliding->uplift ? "the computed uplift is that of the caisson's own motion"
-                                         : "no uplift acts") +
-             ": S, N', pressures and margins of the run lack the wave's uplift, by Goda " + U,
-         "write sliding.uplift = { kind = \"wave\" }, or, with kind = \"computed\", name the curves of mound and bed "
-         "in [loads.NAME.wave] mound"}};
+    return {{"uplift_left_out", wave->pressure.uplift, 0., "N/m",
+             std::string("the load by a wave presses ") +
+                 (wave->table.mound.empty() ? "on the wall alone" : "on no curve of mound or bed at the wall's foot") +
+                 ", and " +
+                 std::string(sliding && sliding->uplift ? "the computed uplift is that of the caisson's own motion"
+                                                        : "no uplift acts") +
+                 ": S, N', pressures and margins of the run lack the wave's uplift, by Goda " + U,
+             std::string(sliding ? "" : "add [sliding] with friction and submerged_weight; ") +
+                 "write sliding.uplift = { kind = \"wave\" }, or, with kind = \"computed\", name the curves of mound "
+                 "and bed "
+                 "in [loads.NAME.wave] mound"}};
   }
   return {};
+}
+
+/// Largest U (N/m) of the loads by waves by their own formulas.
+double uplift_of_waves(const Case& input) {
+  double largest = 0.;
+  const std::vector<const WaveLoad*> waves = acting_waves(input);
+  for (const auto& [name, source] : input.sources)
+    for (const WaveLoad* wave : waves)
+      if (wave == source.get()) largest = std::max(largest, input.scene.loads.at(name).factor * wave->pressure.uplift);
+  return largest;
+}
+
+/// Warning uplift_differs: beside a load by a wave the case prescribes an uplift that is smaller than the wave's own,
+/// or comes after its force.
+NumberedWarnings warnings_of_other_uplift(const Case& input) {
+  constexpr double as_large = 0.8;
+  const auto& sliding = input.scene.sliding;
+  const Node* kind = input.document.find("sliding.uplift.kind");
+  const std::string* word = kind ? std::get_if<std::string>(&kind->value) : nullptr;
+  if (!sliding || !sliding->uplift || sliding->uplift->kind != UpliftKind::prescribed || (word && *word == "wave"))
+    return {};
+  const UpliftChoice& uplift = *sliding->uplift;
+  const double of_waves = uplift_of_waves(input), end = input.scene.time.end,
+               given = uplift.peak ? *uplift.peak : extremum(uplift.history, 0., end, 1).value;
+  const bool is_small = given < as_large * of_waves;
+  if (!(of_waves > 0.) || !uplift.parts.empty() || !(is_small || uplift.lag > 0.)) return {};
+  return {{"uplift_differs", given, of_waves, "N/m",
+           "the prescribed uplift " +
+               (is_small ? "has a peak of " + with_unit(given, "N/m") + ", the wave by its own formula " +
+                               with_unit(of_waves, "N/m")
+                         : "comes " + significant(uplift.lag, 3) +
+                               " s after the wave's force, and by its own formula with it") +
+               ": S, N' and margins of the run are those of less uplift than the checks by formulas have",
+           "write sliding.uplift = { kind = \"wave\" }, unless this uplift was measured"}};
 }
 
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
@@ -100,8 +154,12 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, centroid_warnings(input, simulation));
   append(list, warnings_of_no_uplift(input, simulation));
+  append(list, warnings_of_other_uplift(input));
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given().time.end));
+  if (!end_is_open(input) && simulation.given().time.inertia)
+    append(list,
+           answer_warnings(input, simulation.given().time.end, swing_period(simulation.given(), *simulation.mesh())));
   append(list, unit_warnings(input));
   if (const auto& section = input.tables->section;
       section && !input.scene.sliding && !acting_waves(input).empty() && simulation.compiled()->caisson)

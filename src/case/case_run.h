@@ -25,6 +25,9 @@ auto in_places_of(const Case& input, const Work& work) {
 /// rest after them.
 double end_on(const Case& input, const Mesh& mesh);
 
+/// The period (s) in which a caisson sways and rocks on its ground or springs, about; 0 without a caisson.
+double swing_period(const Scene& scene, const Mesh& mesh);
+
 /// Where the case gives no end, reads its mesh and sets the end, and why; returns that mesh, null where it is given.
 std::shared_ptr<const Mesh> settle_end(Case& input);
 

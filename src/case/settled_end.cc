@@ -85,20 +85,27 @@ double period_on(const BaseSupport& springs, const Part& caisson, const WallMass
   return 2. * pi * std::sqrt((caisson.mass + water.mass) / springs.horizontal + J / springs.rotation);
 }
 
-/// The longest period in which the section swings (s): of the ground as a layer in shear, 4 H/V_s, or of the caisson on
-/// it, by Dunkerley's rule for sway and rocking on the springs of a strip of half width b on a layer of depth H, K_x =
-/// 2.1 G/(2 - nu) (1 + 2b/H), K_r = pi G b^2/(2 (1 - nu)) (1 + b/(5H)) (Gazetas, Soil Dyn. Earthq. Eng. 2 (1983) 2).
-double period_of(const Parts& parts) {
-  const Part& ground = parts.ground;
-  if (parts.springs) return period_on(*parts.springs, parts.caisson, parts.water);
+/// The period of the caisson (s) by Dunkerley's rule for sway and rocking on the springs of a strip of half width b on
+/// a layer of depth H, K_x = 2.1 G/(2 - nu) (1 + 2b/H), K_r = pi G b^2/(2 (1 - nu)) (1 + b/(5H)) (Gazetas, Soil Dyn.
+/// Earthq. Eng. 2 (1983) 2); 0 without a caisson or what bears it.
+double period_of_caisson(const Parts& parts) {
+  const Part &ground = parts.ground, &caisson = parts.caisson;
+  if (!(caisson.mass > 0.)) return 0.;
+  if (parts.springs) return period_on(*parts.springs, caisson, parts.water);
   if (!(ground.area > 0.)) return 0.;
-  const double H = ground.height(), shear = 4. * H * ground.slowness / ground.area;
-  const Part& caisson = parts.caisson;
-  if (!(caisson.mass > 0.)) return shear;
+  const double H = ground.height();
   const double G = ground.area / ground.compliance, nu = ground.poisson / ground.area, b = 0.5 * caisson.width();
   const double K_x = 2.1 * G / (2. - nu) * (1. + 2. * b / H);
   const double K_r = pi * G * b * b / (2. * (1. - nu)) * (1. + b / (5. * H));
-  return std::max(shear, period_on({K_x, 0., K_r}, caisson, parts.water));
+  return period_on({K_x, 0., K_r}, caisson, parts.water);
+}
+
+/// The longest period in which the section swings (s): of the ground as a layer in shear, 4 H/V_s, or of the caisson on
+/// it.
+double period_of(const Parts& parts) {
+  const Part& ground = parts.ground;
+  const double shear = parts.springs || !(ground.area > 0.) ? 0. : 4. * ground.height() * ground.slowness / ground.area;
+  return std::max(shear, period_of_caisson(parts));
 }
 
 /// Two digits, not less than the value.
@@ -124,6 +131,10 @@ SettledEnd settled_end(const Case& input, const Mesh& mesh) {
 }
 
 }  // namespace
+
+double swing_period(const Scene& scene, const Mesh& mesh) {
+  return period_of_caisson(parts_of(scene, mesh));
+}
 
 double end_on(const Case& input, const Mesh& mesh) {
   const bool is_known = !end_is_open(input) || !input.why_end.empty();

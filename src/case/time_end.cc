@@ -160,6 +160,30 @@ NumberedWarnings end_warnings(const Case& input, double end) {
   return list;
 }
 
+NumberedWarnings answer_warnings(const Case& input, double end, double period) {
+  const Action* last = nullptr;
+  double answered = end;
+  for (const LoadSource* source : sources_of(input)) {
+    if (!source->action || source->action->swings) continue;
+    const Action& action = *source->action;
+    const std::optional<double> from = begin_of(action);
+    if (!from || *from >= end || rest_of(action, end).change > tolerable_cut) continue;  // told as load_zero, load_cut
+    const double until = *from + std::min(end_of(action) - *from, period) + 0.5 * period;
+    if (until <= answered) continue;
+    answered = until;
+    last = &action;
+  }
+  if (last == nullptr) return {};
+  return {{"answer_cut", answered, end, "s",
+           "the run ends at " + significant(end, 4) + " s, but the caisson swings with a period of about " +
+               significant(period, 3) + " s, so that it answers '" + last->name + "' most until " +
+               significant(answered, 3) +
+               " s: forces, pressures, margins and S may be larger after the end, and are not judged",
+           "give time.end = " + significant(answered, 3) +
+               " or more, or leave time.end out, which covers all loads and their echo",
+           true}};
+}
+
 bool end_is_open(const Case& input) {
   return input.document.find("time.end") == nullptr;
 }

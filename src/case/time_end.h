@@ -36,6 +36,11 @@ double end_of_actions(const Case& input);
 /// it changes after `end` by more than a twentieth of its largest value: docs/warnings.md.
 NumberedWarnings end_warnings(const Case& input, double end);
 
+/// Warning answer_cut: the run ends before a section of that longest own period (s) has answered a load that is over
+/// by then. A pulse shorter than the period is answered most within half a period after it (Chopra, Dynamics of
+/// Structures, ch. 4).
+NumberedWarnings answer_warnings(const Case& input, double end, double period);
+
 /// Whether the case leaves its end to the loads.
 bool end_is_open(const Case& input);
 

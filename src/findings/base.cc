@@ -7,6 +7,7 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
+#include "findings/load_places.h"
 #include "findings/topics.h"
 #include "output/limits.h"
 
@@ -57,19 +58,23 @@ void set_lifting(const NodeContact& contact, BaseSummary& base) {
 }
 
 /// A base that is followed node by node turns about its edge where a bonded one would pull: its reaction stays on the
-/// base, so that the margin by it is never below 1. The loads without motion tell at these times whether it overturns.
+/// base, so that the margin by it is never below 1. The loads without motion tell whether it overturns: at the times
+/// when one edge bears all, and when the run ends, as these stay.
 void look_at_loads_on_edge(const EffectiveBase& base, const EffectiveBase& still, const std::vector<double>& time,
                            BaseSummary& summary) {
   EffectiveBase on_edge = still;
-  std::vector<double> when;
-  on_edge.force.clear(), on_edge.moment.clear(), on_edge.uplift.clear(), on_edge.uplift_moment.clear();
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
-    if (edges.landward && edges.seaward) continue;
-    when.push_back(time[i]);
-    on_edge.force.push_back(still.force[i]), on_edge.moment.push_back(still.moment[i]);
-    on_edge.uplift.push_back(still.uplift[i]), on_edge.uplift_moment.push_back(still.uplift_moment[i]);
-  }
+  std::vector<double> when = time;
+  const auto keep = [&](std::vector<double>& values) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
+      if (!edges.landward || !edges.seaward || i + 1 == values.size()) values[n++] = values[i];
+    }
+    values.resize(n);
+  };
+  for (auto* of : {&on_edge.force, &on_edge.moment, &on_edge.uplift, &on_edge.uplift_moment, &on_edge.vertical,
+                   &on_edge.vertical_moment, &when})
+    keep(*of);
   const BaseExtremes loads = base_extremes(on_edge, when);
   std::optional<double> margin = loads.least_overturning_margin;
   const bool leaves = !loads.peak_heel_pressure || !loads.peak_toe_pressure;
@@ -84,11 +89,12 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (!base) return std::nullopt;
   const Series& series = e.of(find_history).series;
-  BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
+  BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
   const EffectiveBase still = loads_alone(e.simulation, *base, series);
   const BaseExtremes at_rest = base_extremes(still, series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
   s.static_toe_pressure = at_rest.peak_toe_pressure;
+  s.static_overturning_margin = at_rest.least_overturning_margin;
   const auto& contact = e.solution.contact;
   if (contact && contact->history)
     look_at_nodes(*contact->history, s);
@@ -162,7 +168,7 @@ NumberedWarnings base_warnings(const Evidence& e, const Summary& summary) {
 
 /// p_e without motion, for which the limit of practice was made: by Goda's formulas of loads by waves, else of the
 /// loads as they act on the caisson.
-Checks bearing_checks(const Scene& scene, const BaseSummary& base) {
+Checks bearing_checks(const Scene& scene, const BaseSummary& base, bool elsewhere) {
   Checks list;
   const auto add = [&](FailureMode mode, const std::string& edge, const std::optional<double>& pressure) {
     Check check =
@@ -172,7 +178,12 @@ Checks bearing_checks(const Scene& scene, const BaseSummary& base) {
                      "than that where it is the peak of an impact");
     check.by = "statics";
     check = held_to(check, scene.limits, &Limits::base_pressure);
-    if (is_shaken(scene)) check = not_checked(check, "a motion shakes the ground, and nothing of it acts at rest");
+    if (is_shaken(scene))
+      check = not_checked(check, "a motion shakes the ground, and nothing of it acts at rest");
+    else if (elsewhere)
+      check = not_checked(check,
+                          "a load acts on the sea or the ground: what of it comes to the caisson is known in motion "
+                          "alone, see limits.dynamic_base_pressure");
     list.push_back(check);
   };
   add(FailureMode::heel_pressure, "heel", base.static_heel_pressure);
@@ -198,9 +209,17 @@ Checks base_checks(const Scene& scene, const Summary& summary) {
     Check margin = check_of(FailureMode::overturning, "margin against overturning", "", base.least_overturning_margin,
                             "base.least_overturning_margin", about_uplift(scene) + "; a rigid base");
     margin.has_rival = true;
-    list.push_back(held_to(margin, scene.limits, &Limits::overturning));
+    margin = held_to(margin, scene.limits, &Limits::overturning);
+    const auto& still = base.static_overturning_margin;
+    if (is_solved_with_friction(summary) && margin.holds && *margin.holds && still && *still < *margin.capacity)
+      margin =
+          not_checked(margin, "the loads without motion have " + significant(*still, 4) +
+                                  " at their worst, below the limit: the reaction of a base that opens stays on it, "
+                                  "so that " +
+                                  significant(*margin.demand, 4) + " of the motion does not tell");
+    list.push_back(margin);
   }
-  if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base));
+  if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base, summary.loads_elsewhere));
   return list;
 }
 
@@ -221,13 +240,16 @@ OutputSchema<BaseSummary> base_outputs() {
            "largest pressure of the landward edge under the loads without motion: Goda's p_e where the load is Goda's; "
            "null where their resultant leaves the base")
       .key("static_toe_pressure", &B::static_toe_pressure, "Pa", "the same of the seaward edge")
+      .key("static_overturning_margin", &B::static_overturning_margin, "",
+           "least margin against overturning under the loads without motion; null where nothing overturns")
       .key("peak_toe_pressure_time", &B::peak_toe_pressure_time, "s", "when")
       .key("largest_eccentricity", &B::largest_eccentricity, "m", "e = M'/N' of largest magnitude, landward positive")
       .key("largest_eccentricity_time", &B::largest_eccentricity_time, "s", "when")
       .key("least_normal_force", &B::least_normal_force, "N/m", "least N'")
       .key("least_normal_force_time", &B::least_normal_force_time, "s", "when")
       .key("least_overturning_margin", &B::least_overturning_margin, "",
-           "least of (moment of W' - U)/(moment of all that the wave does), about the heel or the toe: Goda's safety "
+           "least of (moment of W' and of loads that act up or down alone - U)/(moment of all that the wave does), "
+           "about the heel or the toe: Goda's safety "
            "factor against overturning where nothing moves, and with friction node by node while one edge bears all; "
            "null where nothing overturns")
       .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
@@ -260,6 +282,9 @@ Finding base_finding() {
              "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
              "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
   };
+  f.parts.emplace_back([](const Evidence& e, Summary& s) {
+    s.loads_elsewhere = e.simulation.compiled()->caisson && acts_elsewhere(e.simulation);
+  });
   f.warnings = base_warnings;
   f.checks = base_checks;
   return f.part(&Summary::base, find_base);

@@ -154,7 +154,7 @@ CirclesFound look_for_circles(const Evidence& e) {
   set_governing(circles);
   look_without_motion(e, ground, circles);
   if (circles.governs) {
-    set_block(ground, map, circles);
+    if (!circles.leaves_time) set_block(ground, map, circles);  // then the circle is not of the worst moment
     follow_circles(e, ground, map, circles);
   }
   found.circles = circles;

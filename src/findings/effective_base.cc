@@ -79,6 +79,22 @@ void add_gaps(const ContactHistory& contact, const std::vector<double>& time, do
   }
 }
 
+/// Loads that act up or down alone: they hold the caisson up, or lift it, as its weight and an uplift do.
+void add_vertical(const CompiledScene& compiled, const std::vector<double>& time, double end, EffectiveBase& base) {
+  constexpr double upright = 1e-9;  // of a force: what its other part may be
+  for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+    const LoadOnCaisson& load = compiled.loads_on_caisson[k];
+    if (!(std::abs(load.force_x) <= upright * std::abs(load.force_y))) continue;
+    if (load.force_y == 0.) continue;
+    base.vertical.resize(time.size()), base.vertical_moment.resize(time.size());
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double f = until_end(compiled.system.loads[k].history, time[i], end);
+      base.vertical[i] -= f * load.force_y;
+      base.vertical_moment[i] += f * load.moment;
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<double> weight_in_water(const Simulation& simulation) {
@@ -122,6 +138,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
     base.force.push_back(rest->force + N[t] - force);
     base.moment.push_back(rest->moment + M[t] + moment);
   }
+  add_vertical(*simulation.compiled(), ends.time, simulation.scene().time.end, base);
   if (contact && contact->history)
     add_gaps(*contact->history, ends.time, simulation.compiled()->caisson->bottom_centre[0], base);
   constexpr double round_off_of_weight = 1e-9;  // of a caisson that has left its ground

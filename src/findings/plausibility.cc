@@ -171,6 +171,30 @@ class OnItsMesh {
     return on_caisson ? std::pair(low, high) : std::pair(infinity, -infinity);
   }
 
+  /// The part of a shape's force that lies above a height.
+  static double share_above(const std::vector<std::array<double, 2>>& shape, double height) {
+    double all = 0., above = 0.;
+    for (std::size_t i = 1; i < shape.size(); ++i) {
+      const auto [y0, p0] = shape[i - 1];
+      const auto [y1, p1] = shape[i];
+      const double from = std::clamp(height, y0, y1), at = y1 > y0 ? p0 + (p1 - p0) * (from - y0) / (y1 - y0) : p1;
+      all += 0.5 * std::abs(p0 + p1) * (y1 - y0);
+      above += 0.5 * std::abs(at + p1) * (y1 - from);
+    }
+    return all > 0. ? above / all : 0.;
+  }
+
+  /// A shape in heights above another datum presses above the wall.
+  void judge_above(const std::string& name, const Load& load, double high) {
+    constexpr double overtopping = 0.2;  // a diagram that is drawn on to eta* above a crest has less there
+    const double share = share_above(load.shape, high);
+    if (share <= overtopping) return;
+    list_.push_back({"implausible", share, overtopping, "1",
+                     "loads." + name + ".shape has " + percent(share) + " of its force above '" + load.boundary +
+                         "', which reaches up to " + significant(high, 5) + " m: that part is left out",
+                     "give its places in the coordinates of the mesh, not above another datum", true});
+  }
+
   /// A shape in heights above the foot of the wall, or of another datum, presses below the wall.
   void judge_shapes() {
     constexpr double hair = 1e-3;  // of the wall's height
@@ -180,6 +204,7 @@ class OnItsMesh {
       const auto presses_below = [&, end = low - hair * (high - low)](const std::array<double, 2>& corner) {
         return corner[0] < end && corner[1] != 0.;
       };
+      if (high > low) judge_above(name, load, high);
       if (!(high > low) || std::none_of(load.shape.begin(), load.shape.end(), presses_below)) continue;
       list_.push_back({"implausible", load.shape.front()[0], low, "m",
                        "loads." + name + ".shape begins at " + significant(load.shape.front()[0], 5) + " m, and '" +
@@ -192,11 +217,13 @@ class OnItsMesh {
   void judge_uplift(const UpliftChoice& uplift) {
     const double weight = simulation_.compiled()->caisson->body.mass * scene_.gravity;
     double largest = 0.;  // of a history
+    Quantity on_weight = quantities::load_on_weight;
+    on_weight.high = 3.;  // more lifts any caisson
     if (!uplift.history.kinks().empty()) largest = extremum(uplift.history, 0., scene_.time.end, 1).value;
     for (const auto& [key, value] : {std::pair{"sliding.uplift.peak", uplift.peak.value_or(0.)},
                                      {"sliding.uplift.history, its largest uplift", largest}})
       if (value > 0. && !is_unit_load(value))
-        judge(key, value, of(quantities::load_on_weight, weight, "N/m", "beside the caisson's weight"), list_);
+        judge(key, value, of(on_weight, weight, "N/m", "beside the caisson's weight"), list_);
   }
 
   const Simulation& simulation_;
@@ -397,8 +424,9 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
   judge_fluid(scene, list);
   for (const auto& [name, region] : scene.regions) {
     const std::string at = "regions." + name + ".";
-    judge(at + "shear_modulus", region.shear_modulus, quantities::modulus, list);
-    judge(at + "youngs_modulus", region.youngs_modulus, quantities::modulus, list);
+    const Quantity& modulus = name == caisson_name ? quantities::caisson_modulus : quantities::modulus;
+    judge(at + "shear_modulus", region.shear_modulus, modulus, list);
+    judge(at + "youngs_modulus", region.youngs_modulus, modulus, list);
     judge(at + "density", region.density, quantities::density, list);
     for (const auto& [part, values] : region.parts)
       judge(at + "parts." + part + ".density", values.density, quantities::density, list);

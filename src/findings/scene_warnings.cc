@@ -6,8 +6,10 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
+#include "findings/border_warnings.h"
 #include "findings/carried_warnings.h"
 #include "findings/finding.h"
+#include "findings/load_places.h"
 #include "findings/support_warnings.h"
 #include "response/drainage.h"
 #include "response/ground_waves.h"
@@ -361,7 +363,8 @@ NumberedWarnings scene_warnings(const Simulation& simulation, const std::optiona
        {step_warnings(simulation), jump_warnings(simulation), motion_warnings(simulation), mesh_warnings(simulation),
         wall_warnings(simulation, peak_time), load_warnings(simulation), uplift_warnings(simulation),
         boundary_layer_warnings(simulation), ring_warnings(simulation), slow_wave_warnings(simulation),
-        layer_warnings(simulation), thin_layer_warnings(simulation), support_warnings(simulation)})
+        layer_warnings(simulation), thin_layer_warnings(simulation), support_warnings(simulation),
+        border_warnings(simulation), load_place_warnings(simulation)})
     append(all, part);
   return all;
 }

@@ -4,6 +4,7 @@
 
 #include "base/run_end.h"
 #include "base/text.h"
+#include "fem/caisson/readings.h"
 #include "findings/effective_base.h"
 #include "findings/errors.h"
 #include "findings/topics.h"
@@ -23,14 +24,14 @@ namespace {
 DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
                              const std::optional<ResidualSummary>& residual) {
   if (contact && contact->solved)
-    return {contact->solved->slip, "contact.solved.slip", "friction is followed node by node",
-            contact->solved->error_estimate, contact->solved->end_velocity};
+    return {contact->solved->slip,           "contact.solved.slip",         "friction is followed node by node",
+            contact->solved->error_estimate, contact->solved->largest_slip, contact->solved->end_velocity};
   if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
   if (s.coupled)
     return {s.coupled->slip.residual, "sliding.sliding_coupled",
             s.coupled->vectors > 0 ? "the caisson slides as a rigid block on the moving ground"
                                    : "the bonded caisson does not reach mu N'",
-            s.coupled->error_estimate};
+            s.coupled->error_estimate, s.coupled->slip.largest};
   const Sliding &plain = s.history.by_history, &moved = s.history.with_normal_force;
   const std::string why = std::string("the larger of two by F_T(t) of the bonded caisson") +
                           (residual ? ", its slip over the mound alone: how far the ground carried it stands beside it "
@@ -39,9 +40,10 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
                           "; slip with its ground could not be computed: ";
   return std::abs(plain.residual) >= std::abs(moved.residual)
              ? DesignSliding{plain.residual, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate,
-                             plain.end_velocity}
-             : DesignSliding{
-                   moved.residual, "sliding.sliding_normal_force", why + s.why_not_coupled, {}, moved.end_velocity};
+                             plain.largest,  plain.end_velocity}
+             : DesignSliding{moved.residual,          "sliding.sliding_normal_force",
+                             why + s.why_not_coupled, {},
+                             moved.largest,           moved.end_velocity};
 }
 
 constexpr double tolerable_rest = 0.01;  // of S
@@ -126,11 +128,25 @@ NumberedWarnings warnings_of_end(const Evidence& e, const SlidingSummary& slidin
            "let the run end later (time.end)", !e.scene.limits.sliding}};
 }
 
+/// Warning uplift_left_out: the modelled pore pressure lifts the caisson, and [sliding] counts no uplift.
+NumberedWarnings warnings_of_pores(const Evidence& e, const SlidingSummary& sliding) {
+  constexpr double counts = 0.05;  // of W'
+  if (e.scene.sliding->uplift || e.solution.contact) return {};
+  const Series& series = e.of(find_history).series;
+  const double U = series.reading.row(e.simulation.system().reading(reading::uplift)).maxCoeff();
+  if (!(U > counts * sliding.submerged_weight)) return {};
+  return {{"uplift_left_out", U, counts * sliding.submerged_weight, "N/m",
+           "the pore pressure under the base lifts the caisson with up to " + with_unit(U, "N/m") +
+               ", and [sliding] has no uplift: force against friction and S by eq. (4) leave it out",
+           "write sliding.uplift = { kind = \"computed\" }"}};
+}
+
 /// Warning no_coupled_slip: the coupled S would not be right.
 NumberedWarnings slip_warnings(const Evidence& e, const Summary& summary) {
   if (!summary.sliding) return {};
   if (!summary.sliding->design.rests) return warnings_of_endless(*summary.sliding);
   NumberedWarnings list = warnings_of_end(e, *summary.sliding);
+  append(list, warnings_of_pores(e, *summary.sliding));
   if (!summary.sliding->coupled_failed) return list;
   const SlidingSummary& sliding = *summary.sliding;
   list.push_back(
@@ -173,31 +189,64 @@ std::string about_push(const Summary& summary) {
 
 constexpr double no_force = 1e-6;  // of the largest P
 
-/// Where no force acts seaward, a friction that suffices for the rebound says nothing of the seaward direction.
-Check seaward_check(const Scene& scene, const Summary& summary, const std::string& assumption) {
+/// What mu W' is held to in that direction (1: landward): F_T and mu U, and what the loads lift; where the ground
+/// shakes, what the caisson's vertical motion takes off N', too.
+double sliding_demand(const Scene& scene, const Summary& summary, double side) {
   const HistorySliding& history = summary.sliding->history;
-  const Check check =
-      at_most(check_of(FailureMode::sliding_seaward, "force against friction, seaward", "N/m",
-                       std::max(history.peak_seaward + still_push(summary, -1.) + lost_friction(summary), 0.),
-                       "sliding.peak_sliding_force_seaward", assumption),
-              history.resistance);
-  const ShearResponse& r = *summary.response;
-  const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
-  if (!no_trough || !*check.holds) return check;
-  return not_checked(check, "no trough acts: no load pushes the caisson seaward, and its rebound, " +
-                                with_unit(*check.demand, "N/m") + about_push(summary) + ", stays below mu W'" +
-                                (summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
+  const double force = side > 0. ? history.peak_force : history.peak_seaward,
+               on_normal = side > 0. ? history.peak_on_normal : history.peak_seaward_on_normal;
+  return still_push(summary, side) + (is_shaken(scene) ? on_normal : force + lost_friction(summary));
 }
 
-/// Without bound where the caisson slides on, which exceeds a limit that nobody gave, too. What it has slid when the
-/// run ends may be too much already, but never little enough while it still slides.
+std::string demand_key(const Scene& scene, bool landward) {
+  const std::string force = is_shaken(scene) ? "sliding.peak_force" : "sliding.peak_sliding_force";
+  return force + (landward ? "" : "_seaward") + (is_shaken(scene) ? "_on_normal" : "");
+}
+
+/// Where no load pushes that way (1: landward), a friction that suffices for the rebound says nothing of the direction.
+Check friction_check(const Scene& scene, const Summary& summary, double side, const std::string& assumption) {
+  const bool landward = side > 0.;
+  const double demand = sliding_demand(scene, summary, side);
+  const Check check =
+      at_most(check_of(landward ? FailureMode::sliding : FailureMode::sliding_seaward,
+                       landward ? "force against friction" : "force against friction, seaward", "N/m",
+                       landward ? demand : std::max(demand, 0.), demand_key(scene, landward), assumption),
+              summary.sliding->history.resistance);
+  const ShearResponse& r = *summary.response;
+  const double that_way = landward ? r.peak_force : -r.peak_force_seaward,
+               other_way = landward ? -r.peak_force_seaward : r.peak_force;
+  const bool rebounds = that_way <= no_force * other_way && (!landward || other_way > 0.);
+  if (!rebounds || summary.loads_elsewhere || is_shaken(scene) || !*check.holds) return check;
+  return not_checked(
+      check, std::string(landward ? "no load pushes the caisson landward"
+                                  : "no trough acts: no load pushes the caisson seaward") +
+                 ", and its rebound, " + with_unit(*check.demand, "N/m") + about_push(summary) + ", stays below mu W'" +
+                 (landward || summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
+}
+
+/// A distance that is no more than the way till the end of the run may be too much already, but is never little enough.
+Check judged(const Check& check, const DesignSliding& design) {
+  return design.why_not_all.empty() || (check.holds && !*check.holds) ? check : not_checked(check, design.why_not_all);
+}
+
+/// Without bound where the caisson slides on, which exceeds a limit that nobody gave, too.
 Check distance_check(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
   const std::optional<double> distance = design.rests ? std::optional(std::abs(design.value)) : std::nullopt;
   const Check check = held_to(check_of(FailureMode::sliding_distance, "sliding distance", "m", distance, design.measure,
                                        (design.value < 0. ? "seaward; " : "") + uplift + "; " + design.why +
                                            (distance ? "" : "; it still slides at the end of the run")),
                               scene.limits, &Limits::sliding, distance ? std::nullopt : std::optional(0.));
-  return design.why_not_all.empty() || (check.holds && !*check.holds) ? check : not_checked(check, design.why_not_all);
+  return judged(check, design);
+}
+
+/// Where the caisson was on the way and is no more: waves brought it back, and the next ones need not.
+Checks checks_on_the_way(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
+  constexpr double farther = 1.01;  // than where it comes to rest
+  if (!design.rests || std::abs(design.largest) <= farther * std::abs(design.value)) return {};
+  const Check check =
+      check_of(FailureMode::sliding_distance, "sliding distance on the way", "m", std::abs(design.largest),
+               "sliding.design.largest", (design.largest < 0. ? "seaward; " : "") + uplift + "; " + design.why);
+  return {judged(held_to(check, scene.limits, &Limits::sliding), design)};
 }
 
 Checks sliding_checks(const Scene& scene, const Summary& summary) {
@@ -206,14 +255,12 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
   const SlidingSummary& sliding = *summary.sliding;
   const std::string uplift = about_uplift(scene);
   list.push_back(distance_check(scene, sliding.design, uplift));
+  append(list, checks_on_the_way(scene, sliding.design, uplift));
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
-  list.push_back(at_most(check_of(FailureMode::sliding, "force against friction", "N/m",
-                                  sliding.history.peak_force + still_push(summary, 1.) + lost_friction(summary),
-                                  "sliding.peak_sliding_force", of_bonded),
-                         sliding.history.resistance));
-  list.push_back(seaward_check(scene, summary, of_bonded));
+  list.push_back(friction_check(scene, summary, 1., of_bonded));
+  list.push_back(friction_check(scene, summary, -1., of_bonded));
   for (Check& check : list) check.has_rival = true;
   return list;
 }
@@ -236,6 +283,11 @@ OutputSchema<HistorySliding> forces_outputs() {
       .key("uplift_at_peak", &H::uplift_at_peak, "N/m", "U then")
       .key("peak_sliding_force_seaward", &H::peak_seaward, "N/m", "largest -F_T + mu U, which slides it seaward")
       .key("peak_sliding_force_seaward_time", &H::peak_seaward_time, "s", "when")
+      .key(
+          "peak_force_on_normal", &H::peak_on_normal, "N/m",
+          "largest F_T minus mu times the change of N', by U and by the caisson's vertical motion: held to mu W' where "
+          "the ground shakes")
+      .key("peak_force_seaward_on_normal", &H::peak_seaward_on_normal, "N/m", "the same of -F_T")
       .key("ratio", &H::ratio, "", "r = F_Smax / (mu W')")
       .key("least_normal_force", &H::least_normal_force, "N/m",
            "least N' = W' - U + change of the normal force; below 0 the caisson would lift");
@@ -260,6 +312,7 @@ OutputSchema<DesignSliding> design_outputs() {
            "key of this S: the measure that models most of the mechanics, among those that the scene allows")
       .key("why", &D::why, "", "why this one")
       .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none")
+      .key("largest", &D::largest, "m", "of largest magnitude on the way, by the same measure")
       .key("end_velocity", &D::end_velocity, "m/s",
            "of its slip when the run ends; 0 of `sliding_coupled`, which is followed until the caisson rests under the "
            "loads of the end")

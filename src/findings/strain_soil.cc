@@ -28,13 +28,27 @@ std::optional<SoilSummary> find_soil(const Evidence& e) {
   return e.simulation.soil();
 }
 
-NumberedWarnings not_settled(const Evidence&, const Summary& s) {
-  if (!s.soil || s.soil->converged) return {};
+/// Finer cells have a larger strain at the corners of the base, and softer soil there.
+NumberedWarnings estimate_warnings(const Evidence& e, const Summary& s) {
+  const bool estimated = e.scene.accuracy.estimate || !e.scene.mesh.refine;
+  if (!s.soil || !estimated) return {};
+  return {
+      {"estimate_of_kept_soil", 1. - s.soil->least_modulus_ratio, 0., "1",
+       "errors are estimated with the stiffness that the soil has on these cells; with finer ones its strain at the "
+       "corners of the base grows, so that the estimates are no bounds",
+       "compare with mesh.refine = 1 and 2"}};
+}
+
+NumberedWarnings soil_warnings(const Evidence& e, const Summary& s) {
+  NumberedWarnings list = estimate_warnings(e, s);
+  if (!s.soil || s.soil->converged) return list;
   constexpr double settled = 0.01;
-  return {{"soil_not_settled", s.soil->change, settled, "1",
-           "stiffness, damping or drag still change F_T or velocities by " + significant(100. * s.soil->change, 3) +
-               " % after " + std::to_string(s.soil->iterations) + " iterations",
-           "compare with soil that yields (law), or with fixed G, damping and k"}};
+  list.push_back({"soil_not_settled", s.soil->change, settled, "1",
+                  "stiffness, damping or drag still change F_T or velocities by " +
+                      significant(100. * s.soil->change, 3) + " % after " + std::to_string(s.soil->iterations) +
+                      " iterations",
+                  "compare with soil that yields (law), or with fixed G, damping and k"});
+  return list;
 }
 
 }  // namespace
@@ -44,7 +58,7 @@ Finding strain_soil_finding() {
   f.keys = [](OutputSchema<Summary>& s) {
     s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows strain or velocity; else null");
   };
-  f.warnings = not_settled;
+  f.warnings = soil_warnings;
   return f.part(&Summary::soil, find_soil);
 }
 

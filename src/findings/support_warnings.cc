@@ -90,12 +90,6 @@ NumberedWarnings drift_warnings(const Simulation& simulation) {
   return list;
 }
 
-bool is_moved(const Scene& scene, const std::string& curve) {
-  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
-    return is_motion(entry.second.kind) && entry.second.factor != 0. && entry.second.boundary == curve;
-  });
-}
-
 bool is_soil(const Scene& scene, const std::string& surface) {
   const auto region = scene.regions.find(surface);
   return region != scene.regions.end() &&
@@ -157,6 +151,12 @@ GroundBelow ground_below(const Simulation& simulation) {
 }
 
 }  // namespace
+
+bool is_moved(const Scene& scene, const std::string& curve) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
+    return is_motion(entry.second.kind) && entry.second.factor != 0. && entry.second.boundary == curve;
+  });
+}
 
 NumberedWarnings support_warnings(const Simulation& simulation) {
   NumberedWarnings list = drift_warnings(simulation);

@@ -10,6 +10,9 @@ namespace upbead {
 /// absorb relative to rest.
 NumberedWarnings support_warnings(const Simulation& simulation);
 
+/// Whether a load moves that curve.
+bool is_moved(const Scene& scene, const std::string& curve);
+
 /// Warning impact_unresolved: the caisson has struck its ground in steps longer than a share of the time of an impact.
 NumberedWarnings impact_warnings(const Solution& solution);
 

@@ -21,7 +21,13 @@ OutputSchema<ResidualSummary> residual_outputs() {
       .key("rotation", &R::rotation, "rad", "positive when the top moved landward")
       .key("pore_pressure", left, "Pa",
            "excess pore pressure of largest magnitude in the soil at the end; null where no soil has pore water")
-      .key("pore_pressure_at[]", left_at, "m", "where that is; null with it");
+      .key("pore_pressure_at[]", left_at, "m", "where that is; null with it")
+      .key("moved_x", &R::moved_x, "m",
+           "largest difference of `displacement_x` in the last fifth of the run from its value at the end: about 0 "
+           "where "
+           "the motion has ended")
+      .key("moved_y", &R::moved_y, "m", "the same of `displacement_y`")
+      .key("moved_rotation", &R::moved_rotation, "rad", "the same of `rotation`");
 }
 
 OutputSchema<StartBound> bound_outputs() {
@@ -144,6 +150,14 @@ SkippedList skipped_estimate(const Simulation& simulation, bool) {
   return {{"estimate of errors", "the soil yields, and errors are estimated of linear soil alone"}};
 }
 
+/// A check that holds where the motion ends, but would not by where it was in the last fifth of the run, has judged a
+/// moment of a swing.
+Check at_rest(const Check& check, double moved) {
+  if (!check.holds || !*check.holds || *check.demand + moved <= *check.capacity) return check;
+  return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it still moved by " +
+                                with_unit(moved, check.unit) + ", which would exceed the limit");
+}
+
 /// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
 /// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
 /// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
@@ -166,7 +180,7 @@ Check displacement_check(const Summary& summary, const Limits& limits) {
                        slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
               limits, &Limits::sliding);
   const bool ends = !design || design->why_not_all.empty() || (check.holds && !*check.holds);
-  return ends ? check : not_checked(check, design->why_not_all);
+  return ends ? at_rest(check, summary.residual->moved_x) : not_checked(check, design->why_not_all);
 }
 
 /// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
@@ -178,15 +192,37 @@ double worst_residual(const Summary& summary, const std::function<double(const R
 
 Checks displacement_checks(const Scene& scene, const Summary& summary) {
   if (!summary.nonlinear || !summary.residual) return {};
-  const double settlement =
-      worst_residual(summary, [](const ResidualSummary& r) { return std::max(-r.displacement_y, 0.); });
-  const double tilt = worst_residual(summary, [](const ResidualSummary& r) { return std::abs(r.rotation); });
-  const std::string how = "left when the motion has ended, after this load alone";
-  return {
-      displacement_check(summary, scene.limits),
-      held_to(check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
-              scene.limits, &Limits::settlement),
-      held_to(check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how), scene.limits, &Limits::tilt)};
+  using R = ResidualSummary;
+  const auto worst = [&](const auto& of) { return worst_residual(summary, of); };
+  const double settlement = worst([](const R&r) { return std::max(-r.displacement_y, 0.); }),
+               tilt = worst([](const R&r) { return std::abs(r.rotation); });
+  const std::string how = "where the caisson is when the run ends, after this load alone";
+  const Check settled =
+                  check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
+              tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
+  return {displacement_check(summary, scene.limits),
+          at_rest(held_to(settled, scene.limits, &Limits::settlement), worst([](const R& r) { return r.moved_y; })),
+          at_rest(held_to(tilted, scene.limits, &Limits::tilt), worst([](const R& r) { return r.moved_rotation; }))};
+}
+
+/// Warning still_moves: the caisson is not yet where it will stay.
+NumberedWarnings rest_warnings(const Summary& summary) {
+  constexpr double at_rest = 0.1;  // of a residual
+  if (!summary.residual) return {};
+  const ResidualSummary& r = *summary.residual;
+  NumberedWarnings list;
+  const auto see = [&](const std::string& what, const std::string& unit, double value, double moved, double least) {
+    if (!list.empty() || moved <= std::max(at_rest * std::abs(value), least)) return;
+    list.push_back({"still_moves", moved, at_rest * std::abs(value), unit,
+                    "in the last fifth of the run the caisson still moved by " + with_unit(moved, unit) + " " + what +
+                        ", where it ends with " + with_unit(value, unit) +
+                        ": what is told as residual is a moment of that",
+                    "let the run end later (time.end)"});
+  };
+  see("horizontally", "m", r.displacement_x, r.moved_x, 1e-4);  // less is none to anybody: 0.1 mm, 1e-5 rad
+  see("vertically", "m", r.displacement_y, r.moved_y, 1e-4);
+  see("in tilt", "rad", r.rotation, r.moved_rotation, 1e-5);
+  return list;
 }
 
 }  // namespace
@@ -224,7 +260,11 @@ Finding yielding_finding() {
         .object("residual", &Summary::residual, residual_outputs(),
                 "where the caisson came to rest at the end of the run; null where no soil yields");
   };
-  f.warnings = [](const Evidence&, const Summary& summary) { return yielding_warnings(summary); };
+  f.warnings = [](const Evidence&, const Summary& summary) {
+    NumberedWarnings list = yielding_warnings(summary);
+    append(list, rest_warnings(summary));
+    return list;
+  };
   f.skipped_of_scene = skipped_estimate;
   f.checks = displacement_checks;
   return f.part(&Summary::nonlinear, find_nonlinear).part(&Summary::residual, find_residual);

@@ -72,13 +72,15 @@ double inverse(double value) {
 // From mud (G_max 1e5 to 1e6) to steel (8e10). Sand and gravel under 10 to 500 kPa: Hardin and Richart (1963), Seed and
 // Idriss (1970), 1e7 to 3e8.
 const Quantity modulus{"Pa", 1e4, 1e12, 1e6, 3e11, pascals, "sand has 1e7 to 3e8"};
+// Concrete and its fill, steel.
+const Quantity caisson_modulus{"Pa", 1e9, 1e12, 5e9, 3e11, pascals, "concrete has 3e10"};
 // As a share of the weight of the soil above its base, rho' g H: G_max/sigma' of clays is 100 and more, of sands 500
 // and more (Hardin and Black 1968); secant moduli at failure are ten times sigma'.
 const Quantity soil_modulus{"Pa", 1e4, 1e12, 1e6, 3e9, pascals, "sand has 1e7 to 3e8"};
 // Light fills (cellular concrete 400, wood 500) to steel 7850 and lead 11,300.
 const Quantity density{"kg/m3", 400., 2e4, 1e3, 8e3, of_weight, "caissons with fill have 1800 to 2400"};
-// Light aggregates to iron ore; quartz 2650: Lambe and Whitman (1969), table 3.1.
-const Quantity grain_density{"kg/m3", 1000., 8e3, 2e3, 5e3, of_weight, "quartz has 2650"};
+// Gypsum to iron ore; quartz 2650: Lambe and Whitman (1969), table 3.1. Soils have less in bulk.
+const Quantity grain_density{"kg/m3", 2000., 8e3, 2e3, 5e3, of_weight, "quartz has 2650"};
 // Fresh water 998, sea water 1020 to 1030, brine up to 1300.
 const Quantity water_density{"kg/m3", 900., 1300., 990., 1050., of_weight, "sea water has 1030"};
 // 2.2e9; with some percent of air 1e7 (Verruijt 1969), for which there is `saturation`.
@@ -123,6 +125,18 @@ const Quantity friction{"1",
                         1.,
                         {{"degrees", 0., tangent_of_degrees}, {"percent", 1e-2}},
                         "concrete on rubble has 0.5 to 0.7"};
+// Goda's lambda: vertical walls 1, behind blocks 0.8 (Takahashi, Tanimoto and Shimosako 1990); less with slits.
+const Quantity pressure_factor{"1", 0.15, 2., 0.3, 1.5, {{"percent", 1e-2}}, "walls have 0.7 to 1.2"};
+// F_T over P of an impulsive wave: 0.4 in the field, 0.8 in models (Shimosako and Takahashi 1994), above 1 in swing.
+const Quantity shear_ratio{"1", 0.05, 3., 0.2, 2., {{"percent", 1e-2}}, "impulses have 0.4 to 1.2"};
+// Shear stress over effective stress that liquefies sand in one cycle or ten: 0.1 to 0.6 (Seed and Idriss 1971).
+const Quantity cyclic_resistance{"1", 0.02, 2., 0.05, 1., percents};
+// K_0 of normally consolidated soils 0.3 to 1, of strongly overconsolidated ones up to 3 (Mayne and Kulhawy 1982).
+const Quantity rest_coefficient{"1", 0.2, 3.5, 0.3, 3., percents};
+// Rubble stands at 1 : 1.3 and flatter (The Rock Manual 2007).
+const Quantity slope{
+    "1 : n", 1.,  30.,
+    1.2,     15., {{"a tangent", 0., inverse}, {"degrees", 0., [](double a) { return 1. / tangent_of_degrees(a); }}}};
 // Soils 15 to 55 degrees; none for undrained strength, which programs without an angle of zero take as a small one.
 const Quantity friction_angle{"degrees", 5., 60., 12., 58., {{"radians", 180. / pi}}, "sand has 28 to 40"};
 // Soft clay 5 kPa to rock 1e8; less than 50 Pa bears nothing.
@@ -130,6 +144,12 @@ const Quantity cohesion{"Pa", 50., 2e8, 500., 1e8, pascals, "soft clay has 1e4 t
 // A layer of gravel of 0.1 m in water has 1e3.
 const Quantity surcharge{"Pa", 30., 1e6, 300., 3e5, pascals, "1 m of stone in water has 1e4"};
 const Quantity sliding_limit{"m", 1e-4, 5., 0.01, 1., lengths, "0.3 is usual"};
+const Quantity settlement_limit{"m", 1e-4, 2., 0.01, 1., lengths, "0.1 to 0.3 are usual"};
+const Quantity tilt_limit{"rad", 1e-5, 0.1, 1e-4, 0.05, {{"degrees", pi / 180.}, {"mrad", 1e-3}, {"percent", 1e-2}}};
+// A factor below 1 is no equilibrium.
+const Quantity safety_limit{"1", 0.95, 20., 1., 10., percents, "1.2 is usual"};
+const Quantity strength_limit{"1", 0.5, 20., 0.9, 10., percents, "1 to 1.5 are usual"};
+const Quantity ratio_limit{"1", 1e-6, 1., 1e-3, 1., percents};
 const Quantity pressure_limit{"Pa", 2e3, 2e7, 5e4, 5e6, pascals, "400e3 to 600e3 are usual"};
 // Half the period of the longest swell is 15 s, of a seiche minutes.
 const Quantity load_duration{"s", 1e-5, 40., 5e-3, 20., durations, "impacts last 0.01 to 0.5, halves of waves 3 to 10"};

@@ -37,16 +37,31 @@ bool wants_bounds(const Scene& scene) {
   return has_start(scene) && (!scene.initial || scene.initial->bounds);
 }
 
-double last(const CompiledScene& compiled, const Response& response, const char* reading) {
-  const Series& ends = response.ends;
-  return ends.reading(compiled.system.reading(reading), static_cast<Eigen::Index>(ends.time.size()) - 1);
+/// Where a motion ends, and how far it was from there in the last part of the run.
+struct MotionAtEnd {
+  double value = 0., moved = 0.;
+};
+
+MotionAtEnd at_end(const CompiledScene& compiled, const Response& response, const char* reading) {
+  constexpr double last_part = 0.2;
+  const std::vector<double>& time = response.ends.time;
+  const auto row = response.ends.reading.row(compiled.system.reading(reading));
+  auto t = static_cast<Eigen::Index>(time.size()) - 1;
+  MotionAtEnd end{row[t]};
+  for (const double from = (1. - last_part) * time.back(); t >= 0 && time[static_cast<std::size_t>(t)] >= from; --t)
+    end.moved = std::max(end.moved, std::abs(row[t] - end.value));
+  return end;
 }
 
 ResidualSummary residual(const Simulation& simulation, const Response& response) {
   const CompiledScene& compiled = *simulation.compiled();
-  return {last(compiled, response, "caisson/displacement_x"), last(compiled, response, "caisson/displacement_y"),
-          last(compiled, response, "caisson/rotation"),
-          pore_pressure_left(*simulation.space(), *simulation.unknowns(), response.final_state)};
+  const MotionAtEnd x = at_end(compiled, response, "caisson/displacement_x"),
+                    y = at_end(compiled, response, "caisson/displacement_y"),
+                    rotation = at_end(compiled, response, "caisson/rotation");
+  return {x.value,        y.value,
+          rotation.value, pore_pressure_left(*simulation.space(), *simulation.unknowns(), response.final_state),
+          x.moved,        y.moved,
+          rotation.moved};
 }
 
 /// Share of the area of soil that may yield in which cells lost energy: more than round-off of the mean over the area.

@@ -9,13 +9,14 @@ namespace upbead {
 
 namespace {
 
-/// Margin against overturning about the landward (side 1) or seaward (-1) edge: moment of W' minus U over the moment
-/// of the wave and of still water's push; none where these do not turn the caisson that way. Without motion it is
-/// Goda's (W' t - M_U)/M_P.
+/// Margin against overturning about the landward (side 1) or seaward (-1) edge: moment of W' and of vertical loads
+/// minus U, over the moment of the wave and of still water's push; none where these do not turn the caisson that way.
+/// Without motion it is Goda's (W' t - M_U)/M_P.
 std::optional<double> overturning_margin(const EffectiveBase& base, std::size_t i, double side) {
   const double arm = 0.5 * base.width;
   const double of_weight = base.weight_moment - base.push_moment;
-  const double holds = (base.weight - base.uplift[i]) * arm - side * (of_weight + base.uplift_moment[i]);
+  double holds = (base.weight - base.uplift[i]) * arm - side * (of_weight + base.uplift_moment[i]);
+  if (!base.vertical.empty()) holds += base.vertical[i] * arm - side * base.vertical_moment[i];
   const double all = base.force[i] * arm - side * base.moment[i], overturns = holds - all;
   if (!(overturns > 1e-9 * base.weight * arm)) return std::nullopt;
   return holds / overturns;

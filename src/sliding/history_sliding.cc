@@ -163,6 +163,9 @@ HistorySliding slide_history(const BottomForces& forces, const BottomResistance&
     const std::size_t least = peak_index(seaward);
     result.peak_seaward = seaward.value[least];
     result.peak_seaward_time = seaward.time[least];
+    const auto largest = [](const History& history) { return history.value[peak_index(history)]; };
+    result.peak_on_normal = largest(sum(forces.shear_force, -bottom.friction, change));
+    result.peak_seaward_on_normal = largest(sum(negative(forces.shear_force), -bottom.friction, change));
   }
   result.ratio = result.peak_force / result.resistance;
   result.least_normal_force = bottom.submerged_weight + least(change);

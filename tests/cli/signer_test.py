@@ -27,9 +27,20 @@ DOUBTS = (
     ("regions.caisson.moment_of_inertia=2.9e4", "implausible"),
     ("loads.impulse.shape=[[6, 0.8], [15, 1], [22, 0.33]]", None),
     ("loads.impulse.shape=[[0, 0.8], [9, 1], [16, 0.33]]", "implausible"),
+    ("loads.impulse.shape=[[21, 0.8], [30, 1], [37, 0.33]]", "implausible"),
+    ("loads.impulse.shape=[[6, 0.8], [15, 1], [25, 0]]", None),
     ("regions.seabed.damping={ ratio = 0.05, frequencies = [0.5, 20] }", None),
     ("regions.seabed.damping={ ratio = 0.05, frequencies = [0.001, 0.01] }", "implausible"),
     ("regions.seabed.damping={ ratio = 0.05, frequencies = [100, 1000] }", "implausible"),
+    ("boundaries.base.displacement=free", "base_free"),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e8] }", None),
+    ("boundaries.mound_surface.displacement=fixed", "ground_held"),
+    ("time.end=0.16", "answer_cut"),
+    ("loads.impulse.boundary=base", "load_zero"),
+    ("limits={ settlement = 0.05, tilt = 0.01, overturning = 1.2, circles = 1 }", None),
+    ("limits.settlement=5", "implausible"),
+    ("limits.tilt=0.2", "implausible"),
+    ("limits.overturning=0.12", "implausible"),
     ("loads.impulse.factor=1500", "implausible"),
     ("loads.impulse.factor=0.001", None),
     ("sliding.uplift={ kind = \"prescribed\", peak = 8e5, lag = 0.01 }", None),
@@ -56,6 +67,11 @@ class Signer(ProgramTest):
         for setting, name in DOUBTS + tuple((STRAIN % more, name) for more, name in CURVES):
             with self.subTest(setting):
                 self.assertEqual(self.names(setting) - before, {name} - {None})
+
+    def test_a_lid_on_the_sea_bed_is_told(self):
+        sealed = "boundaries.bed.pressure=sealed"
+        for more, told in ((("initial.water_level=15",), True), ((), False)):
+            self.assertEqual("ground_sealed" in self.names(sealed, *more), told)
 
     def test_dashpots_are_told_beyond_critical_damping(self):
         text = """[mesh]
@@ -105,6 +121,36 @@ end = 0.8
         lifted = self.ask("run", f"loads.uplift={{ {lift}{pulse} }}")["checks"]
         demand = [next(check["demand"] for check in checks if check["name"] == "force against friction") for checks in (plain, lifted)]
         self.assertGreater(demand[1] - demand[0], 0.9 * 0.6 * 1e6)
+
+    def test_a_caisson_that_came_back_was_farther_away(self):
+        """Pushed landward, then as far back: S is about nothing, and the limit is held to what it was on the way, too."""
+        back = 'boundary = "front", kind = "force", direction = [-1, 0]'
+        push = 'shape = "triangle", peak = %g, duration = 0.5%s'
+        loads = [f"loads.impulse.pulse={{ {push % (8e6, '')} }}", f"loads.back={{ {back}, pulse = {{ {push % (8e6, ', start = 1.5')} }} }}",
+                 "time.end=4", "limits.sliding=0.01"]
+        found = self.ask("run", *loads, text=SECTION + SLIDING)
+        design, checks = found["sliding"]["design"], {check["name"]: check for check in found["checks"]}
+        self.assertLess(abs(design["value"]), 0.5 * abs(design["largest"]))
+        self.assertTrue(checks["sliding distance"]["holds"])
+        self.assertEqual(checks["sliding distance on the way"]["demand"], abs(design["largest"]))
+        self.assertFalse(checks["sliding distance on the way"]["holds"])
+        self.assertNotIn("sliding distance on the way", {check["name"] for check in self.ask("run", "limits.sliding=0.01")["checks"]})
+
+    def test_a_rebound_is_no_check_of_the_landward_direction(self):
+        for way, why in (("[1, 0]", False), ("[-1, 0]", True)):
+            checks = self.ask("run", f"loads.impulse.direction={way}")["checks"]
+            check = next(check for check in checks if check["name"] == "force against friction")
+            self.assertEqual(bool(check["why_not"]), why, check)
+
+    def test_loads_that_come_through_the_ground_are_judged_in_motion(self):
+        """A load on the bed is no load on the caisson: its uplift, its p_e without motion and its seaward side are unknown."""
+        bed = 'loads.impulse={ boundary = "bed", kind = "pressure", over_x = true, shape = [[-60, 1], [-12, 1], [-11, 0]], ' \
+              'pulse = { shape = "half_sine", peak = 1e5, duration = 0.3 } }'
+        found = self.ask("run", bed, "sliding.uplift={ kind = \"prescribed\", peak = 8e5 }", "limits.base_pressure=4e5")
+        self.assertIn("uplift_left_out", {warning["name"] for warning in found["warnings"]})
+        checks = {check["name"]: check for check in found["checks"]}
+        self.assertIsNotNone(checks["heel pressure p_e of the loads"]["why_not"])
+        self.assertIsNone(checks["force against friction, seaward"]["why_not"])
 
     def test_circles_of_a_march_do_not_hold_by_still_water(self):
         """The march keeps no pore pressure of its times: what holds without it is not checked, what fails fails."""

@@ -70,6 +70,21 @@ TEST(BaseExtremes, HoldGodasOverturningMargin) {
   EXPECT_EQ(seaward.least_overturning_margin_time, 0.3);
 }
 
+TEST(BaseExtremes, CountVerticalLoadsWithTheWeight) {
+  // 0.2 MN/m more weight, 1 m landward of the middle: as W', or as a load
+  EffectiveBase heavier = pushed_and_pulled(), loaded = heavier;
+  for (EffectiveBase* b : {&heavier, &loaded}) {
+    for (double& force : b->force) force += 0.2e6;
+    for (double& moment : b->moment) moment += 0.2e6;
+  }
+  heavier.weight += 0.2e6;
+  heavier.weight_moment += 0.2e6;
+  loaded.vertical = loaded.vertical_moment = {0.2e6, 0.2e6, 0.2e6, 0.2e6};
+  const BaseExtremes by_weight = base_extremes(heavier, times), by_load = base_extremes(loaded, times);
+  EXPECT_DOUBLE_EQ(by_load.least_overturning_margin.value(), by_weight.least_overturning_margin.value());
+  EXPECT_NE(by_load.least_overturning_margin, base_extremes(pushed_and_pulled(), times).least_overturning_margin);
+}
+
 TEST(BaseExtremes, HaveNoMarginWhereOnlyRoundOffOverturns) {
   EffectiveBase still = pushed_and_pulled();
   still.uplift = still.uplift_moment = {0., 0., 0., 0.};

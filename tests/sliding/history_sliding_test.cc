@@ -50,6 +50,9 @@ TEST(HistorySliding, AChangeOfTheNormalForceActsLikeUpliftOfTheOtherSign) {
   EXPECT_NEAR(by_change.with_normal_force.residual, by_uplift.by_history.residual, 1e-14);
   EXPECT_GT(by_uplift.by_history.residual, 1.01 * by_change.by_history.residual);
   EXPECT_DOUBLE_EQ(by_change.least_normal_force, 2.7e6);
+  EXPECT_DOUBLE_EQ(by_change.peak_on_normal, by_uplift.peak_force);
+  EXPECT_DOUBLE_EQ(by_uplift.peak_on_normal, by_uplift.peak_force);
+  EXPECT_DOUBLE_EQ(by_change.peak_seaward_on_normal, by_uplift.peak_seaward);
 }
 
 TEST(HistorySliding, NothingHoldsACaissonThatIsLifted) {

@@ -133,6 +133,7 @@ struct DesignSliding {
   std::string measure;                   ///< the key of the summary that gives it
   std::string why;                       ///< this measure was chosen
   std::optional<double> error_estimate;  ///< m
+  double largest = 0.;                   ///< of largest magnitude on the way, by the same measure (m)
   double end_velocity = 0.;              ///< at the end of the run (m/s)
   bool rests = true;                     ///< whether the loads at the end of the run let the caisson come to rest
   std::string why_not_all = {};          ///< why the value is not the whole distance though it rests; else ""
@@ -166,7 +167,8 @@ struct HarbourSummary {
 struct BaseSummary : BaseExtremes {
   /// Largest of the edges under the loads without motion (Pa); none where their resultant leaves the base.
   std::optional<double> static_heel_pressure, static_toe_pressure;
-  std::optional<double> peak_computed_pressure;  ///< largest at a node of the bottom (Pa); none where it is not read
+  std::optional<double> static_overturning_margin;  ///< least under the loads without motion
+  std::optional<double> peak_computed_pressure;     ///< largest at a node of the bottom (Pa); none where it is not read
   double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
   std::optional<double> limit;                                              ///< of heel and toe pressure in motion (Pa)
 };
@@ -244,6 +246,8 @@ struct ResidualSummary {
   double displacement_x = 0., displacement_y = 0.;  ///< of the centre of gravity, landward and upward (m)
   double rotation = 0.;                             ///< rad
   std::optional<PorePressureLeft> pore_pressure;    ///< in the soil; none where it has no pore water
+  /// Largest differences of these in the last fifth of the run from where they end (m, m, rad).
+  double moved_x = 0., moved_y = 0., moved_rotation = 0.;
 };
 
 /// The result with another start of hysteretic soil.
@@ -548,6 +552,7 @@ struct Summary {
   std::optional<SoilSummary> soil;                  ///< none where no soil depends on strain
   std::optional<NonlinearSummary> nonlinear;        ///< none where no soil yields
   std::optional<ResidualSummary> residual;          ///< where soil yields, of a caisson
+  bool loads_elsewhere = false;                     ///< loads on the caisson are not all that presses it
   std::vector<CompactedSoil> densification;         ///< of the regions that pack denser
   std::optional<SafetySummary> safety;              ///< where it is asked for, and where no rest was found
   std::optional<ConstructionSummary> construction;  ///< none where it is not built in stages

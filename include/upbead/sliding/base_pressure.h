@@ -20,6 +20,9 @@ struct EffectiveBase {
   std::vector<double> uplift, uplift_moment;  ///< U (N/m), M_U (N m/m)
   std::vector<double> force;                  ///< N' (N/m), compression positive
   std::vector<double> moment;                 ///< M' (N m/m)
+  /// Of loads that act up or down alone, without motion: downward (N/m), and their moment (N m/m); empty: there are
+  /// none.
+  std::vector<double> vertical{}, vertical_moment{};
 };
 
 /// Pressures on the base at rest, and the worst at the ends of the steps; effective stress varies linearly over the

@@ -46,10 +46,12 @@ struct BottomResistance {
 };
 
 struct HistorySliding {
-  double peak_force = 0.;              ///< F_Smax, largest F_T + mu U (N/m)
-  double peak_force_time = 0.;         ///< s
-  double peak_seaward = 0.;            ///< largest -F_T + mu U, which slides it seaward (N/m)
-  double peak_seaward_time = 0.;       ///< s
+  double peak_force = 0.;         ///< F_Smax, largest F_T + mu U (N/m)
+  double peak_force_time = 0.;    ///< s
+  double peak_seaward = 0.;       ///< largest -F_T + mu U, which slides it seaward (N/m)
+  double peak_seaward_time = 0.;  ///< s
+  /// Largest F_T and -F_T, each minus mu times the change of N', by U and by the caisson's vertical motion (N/m).
+  double peak_on_normal = 0., peak_seaward_on_normal = 0.;
   double shear_at_peak = 0.;           ///< F_T at peak_force_time (N/m)
   double uplift_at_peak = 0.;          ///< U at peak_force_time (N/m)
   double resistance = 0.;              ///< mu W' (N/m)
