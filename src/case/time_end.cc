@@ -99,8 +99,13 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
     text += ", nor is ITS LARGEST VALUE, which comes at " + significant(rest.peak_time, 4) +
             " s: until the end it has " + significant(100. * rest.share, 2) +
             " % of that, and no peak of this run is one of the whole load";
-  return {action.cut, until, end,
-          "s",        text,  "give a longer time.end, or leave time.end out, which covers all loads and their echo"};
+  return {action.cut,
+          until,
+          end,
+          "s",
+          text,
+          "give a longer time.end, or leave time.end out, which covers all loads and their echo",
+          rest.share < 1. - over};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What presses on the base: edges, eccentricity, overturning, lift.
+#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"
@@ -191,6 +192,15 @@ Checks bearing_checks(const Scene& scene, const BaseSummary& base, bool elsewher
   return list;
 }
 
+/// Whether checks by formulas know all loads that act: each is of one wave.
+bool formulas_know_all(const Scene& scene, const Summary& summary) {
+  return std::all_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
+    const auto is_of_it = [&](const Check& check) { return check.wave == entry.first; };
+    return entry.second.factor == 0. ||
+           std::any_of(summary.formula_checks.begin(), summary.formula_checks.end(), is_of_it);
+  });
+}
+
 Checks base_checks(const Scene& scene, const Summary& summary) {
   if (!summary.base) return {};
   Checks list;
@@ -219,7 +229,8 @@ Checks base_checks(const Scene& scene, const Summary& summary) {
                                   significant(*margin.demand, 4) + " of the motion does not tell");
     list.push_back(margin);
   }
-  if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base, summary.loads_elsewhere));
+  if (summary.formula_checks.empty() || !formulas_know_all(scene, summary))
+    append(list, bearing_checks(scene, base, summary.loads_elsewhere));
   return list;
 }
 

@@ -48,6 +48,20 @@ bool acts_elsewhere(const Simulation& simulation) {
   return found;
 }
 
+bool loads_go_on(const Simulation& simulation) {
+  constexpr double counts = 0.05;
+  const double end = simulation.scene().time.end;
+  for (const SystemLoad& load : simulation.system().loads) {
+    const auto range = [&](double from, double to) {
+      return std::pair(extremum(load.history, from, to, -1).value, extremum(load.history, from, to, 1).value);
+    };
+    const auto [low, high] = range(0., end);
+    const auto [least, largest] = range(end, 2. * end);
+    if (largest - least > counts * std::max(std::abs(low), std::abs(high))) return true;
+  }
+  return false;
+}
+
 NumberedWarnings load_place_warnings(const Simulation& simulation) {
   NumberedWarnings list;
   if (!simulation.compiled()->caisson || simulation.processes()) return list;

@@ -9,6 +9,10 @@ namespace upbead {
 /// the caisson are not all that presses it.
 bool acts_elsewhere(const Simulation& simulation);
 
+/// Whether some load still changes after the run, by more than a twentieth of its largest value until then, as one that
+/// swings for ever does.
+bool loads_go_on(const Simulation& simulation);
+
 /// Warnings load_zero: a load presses on what is held alone; uplift_left_out: a prescribed uplift follows the force on
 /// the caisson, and no load presses on that.
 NumberedWarnings load_place_warnings(const Simulation& simulation);

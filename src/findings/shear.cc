@@ -1,7 +1,9 @@
 // F_T, P and the motion of the caisson; energy; how both differ from what they should be.
 #include "base/text.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/errors.h"
+#include "findings/load_places.h"
 #include "findings/topics.h"
 #include "response/shear_response.h"
 
@@ -137,6 +139,24 @@ SkippedList skipped_shear(const Simulation& simulation, bool) {
   return {{"shear force", "the mesh has no surface 'caisson'"}};
 }
 
+/// Warning still_grows: the loads go on after the run, and so does the growth of F_T.
+NumberedWarnings growth_warnings(const Evidence& e, const Summary& summary) {
+  constexpr double before_last_part = 0.8, steady = 1.01;
+  if (!summary.response || !loads_go_on(e.simulation)) return {};
+  const Series& series = e.of(find_history).series;
+  const auto F = series.reading.row(e.simulation.system().reading(reading::shear_force));
+  double before = 0., last = 0.;
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    double& largest = series.time[i] < before_last_part * e.scene.time.end ? before : last;
+    largest = std::max(largest, std::abs(F[static_cast<Eigen::Index>(i)]));
+  }
+  if (!(last > steady * before) || before == 0.) return {};
+  return {{"still_grows", last / before, steady, "1",
+           "the loads go on after the run, and F_T still grows: in the last fifth it comes to " +
+               significant(last / before, 4) + " times what it was before, so that no peak here is the largest",
+           "let the run end later (time.end)", true}};
+}
+
 }  // namespace
 
 std::optional<ShearResponse> find_shear(const Solution& solution) {
@@ -163,6 +183,7 @@ Finding shear_finding() {
                "resultant on the caisson per unit of the history");
   };
   f.skipped_of_scene = skipped_shear;
+  f.warnings = growth_warnings;
   return f.part(&Summary::response, find_shear)
       .part(&Summary::loads, find_loads)
       .part(&Summary::error, find_peak_error)

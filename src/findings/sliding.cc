@@ -4,9 +4,11 @@
 
 #include "base/run_end.h"
 #include "base/text.h"
+#include "fem/caisson/bottom.h"
 #include "fem/caisson/readings.h"
 #include "findings/effective_base.h"
 #include "findings/errors.h"
+#include "findings/load_places.h"
 #include "findings/topics.h"
 #include "output/limits.h"
 #include "response/shear_response.h"
@@ -85,6 +87,16 @@ double lift_of_loads(const Evidence& e) {
   return largest;
 }
 
+/// Why a distance is not all where the loads go on after the run: the caisson still slipped in its last fifth.
+std::string why_slips_on(const Evidence& e, const SlidingSummary& sliding) {
+  constexpr double before_last_part = 0.8;
+  if (sliding.design.value == 0. || !loads_go_on(e.simulation)) return "";
+  const std::vector<Slip>& slips = sliding.coupled ? sliding.coupled->slip.slips : sliding.history.by_history.slips;
+  if (slips.empty() || slips.back().stop < before_last_part * e.scene.time.end) return "";
+  return "the loads go on after the run, in whose last fifth the caisson still slipped: S is no more than its way till "
+         "then";
+}
+
 std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   std::optional<SlidingSummary> sliding = e.of(find_slid);
   if (!sliding) return sliding;
@@ -103,6 +115,8 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   if (sliding->design.rests)
     sliding->design.why_not_all =
         why_not_all(design, tolerable_velocity(sliding->friction, e.scene.gravity, design.value));
+  if (sliding->design.rests && sliding->design.why_not_all.empty())
+    sliding->design.why_not_all = why_slips_on(e, *sliding);
   if (const std::string& why = e.of(find_why_void); !why.empty())
     sliding->design.why = "void: " + why + "; " + sliding->design.why;
   return sliding;
@@ -141,11 +155,25 @@ NumberedWarnings warnings_of_pores(const Evidence& e, const SlidingSummary& slid
            "write sliding.uplift = { kind = \"computed\" }"}};
 }
 
+/// Warning bottom_not_level: friction, S and pressures are those of a level bottom.
+NumberedWarnings bottom_warnings(const Evidence& e) {
+  if (bottom_is_level(*e.simulation.mesh())) return {};
+  return {
+      {"bottom_not_level", 0., 0., "",
+       "the caisson's bottom is not level: force against friction, S, eccentricity and edge pressures are those of a "
+       "level one, and downhill it slides at less than mu W'",
+       "level the bottom in the mesh; for a slope alpha take tan(phi - alpha) as friction, phi = arctan mu", true}};
+}
+
 /// Warning no_coupled_slip: the coupled S would not be right.
 NumberedWarnings slip_warnings(const Evidence& e, const Summary& summary) {
   if (!summary.sliding) return {};
-  if (!summary.sliding->design.rests) return warnings_of_endless(*summary.sliding);
-  NumberedWarnings list = warnings_of_end(e, *summary.sliding);
+  NumberedWarnings list = bottom_warnings(e);
+  if (!summary.sliding->design.rests) {
+    append(list, warnings_of_endless(*summary.sliding));
+    return list;
+  }
+  append(list, warnings_of_end(e, *summary.sliding));
   append(list, warnings_of_pores(e, *summary.sliding));
   if (!summary.sliding->coupled_failed) return list;
   const SlidingSummary& sliding = *summary.sliding;

@@ -127,7 +127,7 @@ end = 0.8
         back = 'boundary = "front", kind = "force", direction = [-1, 0]'
         push = 'shape = "triangle", peak = %g, duration = 0.5%s'
         loads = [f"loads.impulse.pulse={{ {push % (8e6, '')} }}", f"loads.back={{ {back}, pulse = {{ {push % (8e6, ', start = 1.5')} }} }}",
-                 "time.end=4", "limits.sliding=0.01"]
+                 "time.end=4", "limits.sliding=0.1"]
         found = self.ask("run", *loads, text=SECTION + SLIDING)
         design, checks = found["sliding"]["design"], {check["name"]: check for check in found["checks"]}
         self.assertLess(abs(design["value"]), 0.5 * abs(design["largest"]))
@@ -135,6 +135,14 @@ end = 0.8
         self.assertEqual(checks["sliding distance on the way"]["demand"], abs(design["largest"]))
         self.assertFalse(checks["sliding distance on the way"]["holds"])
         self.assertNotIn("sliding distance on the way", {check["name"] for check in self.ask("run", "limits.sliding=0.01")["checks"]})
+
+    def test_what_grows_until_the_end_is_not_judged(self):
+        """A harmonic load near the section's own frequency; a pulse cut before its peak."""
+        swing = 'loads.impulse.pulse={ shape = "harmonic", peak = 3e5, frequency = 1 }'
+        for settings, name in (([swing, "time.end=1.5"], "still_grows"), (["time.end=0.06"], "load_cut")):
+            found = self.ask("run", *settings, "limits.overturning=1.2")
+            self.assertIn(name, {warning["name"] for warning in found["warnings"]})
+            self.assertIsNone(found["verdict"]["holds"])
 
     def test_a_rebound_is_no_check_of_the_landward_direction(self):
         for way, why in (("[1, 0]", False), ("[-1, 0]", True)):
