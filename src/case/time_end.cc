@@ -40,6 +40,16 @@ std::optional<double> begin_of(const Action& action) {
   return std::nullopt;
 }
 
+/// When it last comes near its largest value (s).
+double last_peak_of(const Action& action) {
+  constexpr double near = 0.9;
+  const double least = near * largest_of(action);
+  double last = 0.;
+  for (std::size_t i = 0; i < action.time.size(); ++i)
+    if (std::abs(action.value[i]) >= least) last = action.time[i];
+  return last;
+}
+
 double end_of(const Action& action) {
   if (action.time.empty()) return 0.;
   if (action.swings) return action.time.back();
@@ -173,7 +183,7 @@ NumberedWarnings answer_warnings(const Case& input, double end, double period) {
     const Action& action = *source->action;
     const std::optional<double> from = begin_of(action);
     if (!from || *from >= end || rest_of(action, end).change > tolerable_cut) continue;  // told as load_zero, load_cut
-    const double until = *from + std::min(end_of(action) - *from, period) + 0.5 * period;
+    const double until = std::min(end_of(action), last_peak_of(action) + period) + 0.5 * period;
     if (until <= answered) continue;
     answered = until;
     last = &action;

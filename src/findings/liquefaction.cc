@@ -18,7 +18,6 @@ using Vertical = UpwardPressure::Vertical;
 struct LiquefactionFound {
   std::optional<Liquefaction> liquefaction;
   std::string why_not;
-  std::string coarse;  ///< where the cells are too large for the gradient under the surface; "" where they are not
 };
 
 std::string side_of(const Simulation& simulation, double x) {
@@ -101,7 +100,7 @@ LiquefactionFound look_for_liquefaction(const Evidence& e) {
   for (const LiquefiedPlace& place : all.places) {
     if (!place.factor || (all.factor && *all.factor <= *place.factor)) continue;
     all.factor = place.factor;
-    found.coarse = too_coarse(place, verticals);
+    all.coarse = too_coarse(place, verticals);
   }
   return found;
 }
@@ -142,9 +141,9 @@ NumberedWarnings liquefaction_warnings(const Evidence& e, const Summary& summary
                           with_unit(place.pressure, "Pa") + ", and the effective stress at rest is " +
                           with_unit(place.stress, "Pa") + ": no stress is left down to " + with_unit(place.depth, "m"),
                       "put a filter or armour on it (initial.surcharge), or a more permeable layer"});
-  if (const std::string& coarse = e.of(look_for_liquefaction).coarse; !coarse.empty())
-    list.push_back({"liquefaction_cells", *summary.liquefaction->factor, *limit, "1",
-                    "the factor against liquefaction is too large by an unknown part: " + coarse,
+  if (const Liquefaction& all = *summary.liquefaction; !all.coarse.empty())
+    list.push_back({"liquefaction_cells", *all.factor, *limit, "1",
+                    "the factor against liquefaction is too large by an unknown part: " + all.coarse,
                     "make the cells under the surface smaller until the factor stays: mesh.refine = 1"});
   return list;
 }
@@ -164,6 +163,8 @@ Checks liquefaction_checks(const Scene& scene, const Summary& summary) {
   if (worst) check.balance = Balance{worst->pressure, worst->stress, "Pa"};
   if (!summary.liquefaction) return {not_checked(check, summary.why_no_liquefaction)};
   if (!worst) return {not_checked(check, "no pore pressure exceeds that on the surface above it")};
+  if (!all.coarse.empty() && *check.holds)
+    return {not_checked(check, significant(*all.factor, 4) + " is too large by an unknown part: " + all.coarse)};
   return {check};
 }
 

@@ -158,6 +158,18 @@ Check at_rest(const Check& check, double moved) {
                                 with_unit(moved, check.unit) + ", which would exceed the limit");
 }
 
+/// Sand that packs denser settles on while its water drains.
+Check drained(const Check& check, const std::vector<CompactedSoil>& soils) {
+  constexpr double gone = 0.05;  // of the stress at rest
+  double left = 0.;
+  for (const CompactedSoil& soil : soils) left = std::max(left, soil.pressure_ratio_at_end);
+  if (!(left > gone) || !check.holds || !*check.holds) return check;
+  return not_checked(check,
+                     "pore pressure of up to " + percent(left) +
+                         " of the stress at rest is left at the end, and the ground settles while it drains: let "
+                         "the run end later");
+}
+
 /// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
 /// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
 /// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
@@ -200,9 +212,11 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
   const Check settled =
                   check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
               tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
-  return {displacement_check(summary, scene.limits),
-          at_rest(held_to(settled, scene.limits, &Limits::settlement), worst([](const R& r) { return r.moved_y; })),
-          at_rest(held_to(tilted, scene.limits, &Limits::tilt), worst([](const R& r) { return r.moved_rotation; }))};
+  return {
+      displacement_check(summary, scene.limits),
+      drained(at_rest(held_to(settled, scene.limits, &Limits::settlement), worst([](const R& r) { return r.moved_y; })),
+              summary.densification),
+      at_rest(held_to(tilted, scene.limits, &Limits::tilt), worst([](const R& r) { return r.moved_rotation; }))};
 }
 
 /// Warning still_moves: the caisson is not yet where it will stay.

@@ -17,6 +17,7 @@ std::optional<double> overturning_margin(const EffectiveBase& base, std::size_t 
   const double of_weight = base.weight_moment - base.push_moment;
   double holds = (base.weight - base.uplift[i]) * arm - side * (of_weight + base.uplift_moment[i]);
   if (!base.vertical.empty()) holds += base.vertical[i] * arm - side * base.vertical_moment[i];
+  if (holds <= 0.) return 0.;  // it is lifted, whatever turns it
   const double all = base.force[i] * arm - side * base.moment[i], overturns = holds - all;
   if (!(overturns > 1e-9 * base.weight * arm)) return std::nullopt;
   return holds / overturns;

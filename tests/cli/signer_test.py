@@ -36,6 +36,7 @@ DOUBTS = (
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e8] }", None),
     ("boundaries.mound_surface.displacement=fixed", "ground_held"),
     ("time.end=0.16", "answer_cut"),
+    ("loads.impulse.pulse={ shape = \"triangle\", peak = 1e6, duration = 0.15, start = 0.44 }", "answer_cut"),
     ("loads.impulse.boundary=base", "load_zero"),
     ("limits={ settlement = 0.05, tilt = 0.01, overturning = 1.2, circles = 1 }", None),
     ("limits.settlement=5", "implausible"),

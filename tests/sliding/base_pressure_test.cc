@@ -85,6 +85,16 @@ TEST(BaseExtremes, CountVerticalLoadsWithTheWeight) {
   EXPECT_NE(by_load.least_overturning_margin, base_extremes(pushed_and_pulled(), times).least_overturning_margin);
 }
 
+TEST(BaseExtremes, HaveNoMarginBelowZeroWhereLoadsLiftMoreThanTheWeight) {
+  EffectiveBase lifted = pushed_and_pulled();
+  lifted.vertical = {0., 0., -2e6, 0.};
+  lifted.vertical_moment = {0., 0., 0., 0.};
+  lifted.force[2] -= 2e6;
+  const BaseExtremes s = base_extremes(lifted, times);
+  EXPECT_EQ(s.least_overturning_margin, 0.);
+  EXPECT_EQ(s.least_overturning_margin_time, 0.3);
+}
+
 TEST(BaseExtremes, HaveNoMarginWhereOnlyRoundOffOverturns) {
   EffectiveBase still = pushed_and_pulled();
   still.uplift = still.uplift_moment = {0., 0., 0., 0.};

@@ -334,6 +334,7 @@ struct LiquefiedPlace {
 struct Liquefaction {
   std::vector<LiquefiedPlace> places;  ///< by region and side
   std::optional<double> factor;        ///< the least of them
+  std::string coarse{};                ///< why it is too large, by cells under the surface; "" where it is not
 };
 
 /// The least factor over time of the circles that were found; NaN where nothing drives one with the width upon it.
