@@ -162,6 +162,9 @@ const KnownWarning known_warnings[] = {
      "error of a reading other than F_T, over its peak, and its tolerance; only where `time.scheme = \"reduced\"` is "
      "asked for",
      "run", "reduced.md#when-run-uses-it"},
+    {"record_begun",
+     "first value of a record over its largest, and 5 %: it begins in the middle of an event; voids the verdict",
+     "run, explain", "warnings.md#records"},
     {"record_cut", "a record ends 3 to 50 % of its peak away from where it started and still changes", "run, explain",
      "warnings.md#records"},
     {"record_dead", "a record never changes", "run, explain", "warnings.md#records"},
@@ -169,6 +172,13 @@ const KnownWarning known_warnings[] = {
      "a record ends at rest, 3 to 50 % of its peak away from where it started, or changes by 3 % before the first "
      "event",
      "run, explain", "warnings.md#records"},
+    {"record_dropout",
+     "equal samples of a record between jumps by a fifth of its range within a sample, and 3; voids the verdict",
+     "run, explain", "warnings.md#records"},
+    {"record_gap",
+     "longest step of a record, and five times its usual one (s); voids the verdict where the record is not at rest "
+     "there",
+     "run, explain, respond", "warnings.md#records"},
     {"record_saturated", "a record holds its extreme by 5 samples or more between a rise and a fall", "run, explain",
      "warnings.md#records"},
     {"record_spikes", "single samples of a record that differ from both neighbours by a fifth of the range",

@@ -63,17 +63,19 @@ Gauges every_other(const Gauges& gauges) {
   return fewer;
 }
 
-/// Transducers of one record have the same samples: one warning, for the steepest rise, stands for all.
-void join_too_coarse(NumberedWarnings& list) {
-  const auto rest = std::stable_partition(
-      list.begin(), list.end(), [](const NumberedWarning& warning) { return warning.name != "record_too_coarse"; });
+/// Transducers of one record have the same samples: the first such warning, or that for the steepest rise, stands for
+/// all.
+void join(const std::string& name, const std::string& others_are, NumberedWarnings& list) {
+  const auto rest = std::stable_partition(list.begin(), list.end(),
+                                          [&](const NumberedWarning& warning) { return warning.name != name; });
   const auto others = list.end() - rest - 1;
   if (others < 1) return;
-  NumberedWarning steepest = *std::min_element(
-      rest, list.end(), [](const NumberedWarning& a, const NumberedWarning& b) { return a.value < b.value; });
-  steepest.what += "; " + std::to_string(others) + " more of its row are sampled too coarsely";
+  NumberedWarning worst = *std::min_element(rest, list.end(), [&](const NumberedWarning& a, const NumberedWarning& b) {
+    return name == "record_too_coarse" ? a.value < b.value : a.voids > b.voids;
+  });
+  worst.what += "; " + std::to_string(others) + " more of its row " + others_are;
   list.erase(rest, list.end());
-  list.push_back(steepest);
+  list.push_back(worst);
 }
 
 }  // namespace
@@ -130,7 +132,10 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   for (std::size_t i = 0; i < gauges.count(); ++i)
     records.push_back({gauges.place[i], {name + "." + gauges.name[i], gauges.time, gauges.pressure[i]}});
   for (const RecordAtHeight& at : records) append(list, record_warnings(at.record));
-  join_too_coarse(list);
+  join("record_too_coarse", "are sampled too coarsely", list);
+  join("record_gap", "have it, too", list);
+  join("record_dropout", "lost it, too", list);
+  join("record_begun", "begin so, too", list);
   append(list, swapped_records(records));
   if (const InterpolationError error = interpolation_error(gauges); error.force > tolerable)
     list.push_back(

@@ -17,6 +17,7 @@ constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; a larg
 constexpr std::size_t least_of_record = 50;             ///< samples; fewer may be the corners of a load that stops
 constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: a faster change is the load itself
 constexpr int least_in_rise = 20;
+constexpr double most_at_begin = 0.05;  ///< of the largest value
 
 struct Extent {
   double least, most;
@@ -64,6 +65,7 @@ class Inspection {
   NumberedWarnings run() {
     check_saturation(1., extent_.most);
     check_saturation(-1., extent_.least);
+    check_begin();
     check_end();
     check_before_the_event();
     check_rise();
@@ -142,6 +144,22 @@ class Inspection {
     const auto [least, most] = std::minmax_element(value_.begin() + static_cast<std::ptrdiff_t>(first),
                                                    value_.begin() + static_cast<std::ptrdiff_t>(last));
     return std::max({*least - value, value - *most, 0.});
+  }
+
+  /// A load is zero before its record: one that begins in the middle of an event jumps there, and its front is lost.
+  void check_begin() {
+    const double share = std::abs(value_.front()) / extent_.size();
+    if (std::min(share, std::abs(start_) / extent_.size()) <= most_at_begin) return;
+    const std::size_t third = std::max<std::size_t>(1, at_ends_ / 3);
+    const double change = std::abs(mean(value_, at_ends_ - third, at_ends_) - mean(value_, 0, third));
+    const bool moves = change > least_drift * peak_ && slope(0, at_ends_) > most_of_rise * rise_;
+    const bool comes_back = std::abs(median(value_, n_ - at_ends_, n_)) < 0.5 * std::abs(start_);
+    if (!moves && !comes_back) return;  // an offset
+    add("record_begun", share, most_at_begin,
+        "begins at t = " + significant(time_.front()) + " s with " + significant(100. * share, 2) +
+            " % of its largest value: what came before is lost, and it jumps there from zero",
+        "give the record from its rest on, or an earlier record_start");
+    list_.back().voids = true;
   }
 
   void check_end() {
@@ -263,14 +281,16 @@ bool is_measured(const Record& record) {
 }
 
 NumberedWarnings record_warnings(const Record& record) {
-  if (!is_measured(record)) return {};
+  if (!is_measured(record)) return lost_samples(record);
   const Extent extent = extent_of(record.value);
   if (extent.range() <= exactly * extent.size())
     return {{"record_dead", extent.range(), exactly * extent.size(), "1",
              "record '" + record.name + "' has the same value " + significant(extent.most) +
                  " throughout: the instrument was dead",
              "leave the record out, or write it as a pulse if it is meant"}};
-  return Inspection(record).run();
+  NumberedWarnings list = Inspection(record).run();
+  append(list, lost_samples(record));
+  return list;
 }
 
 NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records) {

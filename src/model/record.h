@@ -31,7 +31,20 @@ bool is_measured(const Record& record);
 ///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
 ///   record_spikes      samples that differ from both neighbours by a fifth of the range while the neighbours agree
 ///                      to a twentieth
+///   record_begun       its first sample is more than 5 % of its largest value, and it moves there, or comes back by
+///                      half at its end. Voids the verdict, as those of lost_samples()
+/// and lost_samples().
 NumberedWarnings record_warnings(const Record& record);
+
+/// What an instrument, a logger or a file lost; also of records of 10 to 49 samples of which a fifth is not at equal
+/// intervals:
+///   record_gap      a step is five times as long as the usual ones on both sides of it. The value is that step. Voids
+///                   the verdict where the record is more than 3 % of its peak away from its start beside it; where it
+///                   is not, and both samples are equal, there is no warning
+///   record_dropout  three equal samples or more between jumps of a fifth of the range within a sample, three times as
+///                   large as any other change; or five that hold the last value until such a jump. The value is their
+///                   number
+NumberedWarnings lost_samples(const Record& record);
 
 /// A transducer on a wall.
 struct RecordAtHeight {

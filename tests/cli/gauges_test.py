@@ -168,6 +168,16 @@ class Gauges(ProgramTest):
         self.write_csv(lambda y: 0.0 if y == 11.5 else linear(y))
         found = {w["name"]: w["text"] for w in self.ask("explain", scene())["warnings"]}
         self.assertIn("'loads.wall.p3'", found["record_dead"])
+        self.write_csv(linear)
+        rows = (self.folder / "wall.csv").read_text().splitlines()
+        lost = [",".join(["0.0" if i in (2, 3) else v for i, v in enumerate(row.split(","))]) for row in rows[90:140]]
+        for name, left, more in (("record_gap", rows[:90] + rows[140:], "6 more of its row have it, too"),
+                                 ("record_dropout", rows[:90] + lost + rows[140:], "1 more of its row lost it, too"),
+                                 ("record_begun", rows[:1] + rows[80:], "6 more of its row begin so, too")):
+            (self.folder / "wall.csv").write_text("\n".join(left) + "\n")
+            found = [w for w in self.ask("explain", scene())["warnings"] if w["name"] == name]
+            self.assertEqual(len(found), 1, name)
+            self.assertIn(more, found[0]["text"])
         bent = {**HEIGHTS, "p2": HEIGHTS["p5"], "p5": HEIGHTS["p2"]}
         self.write_csv(lambda y: linear(y) + 3e4 * math.sin(0.25 * y))
         swapped = "{ " + ", ".join(f"{n} = {y}" for n, y in bent.items()) + " }"

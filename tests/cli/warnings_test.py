@@ -316,6 +316,19 @@ class Warnings(ProgramTest):
         ):
             found, _ = self.ask("explain", scene=self.record(change=change))
             self.assertIn("loads.impulse", self.expect(found, name, value, places=1)["text"])
+        whole = self.record()
+        rows = (self.folder / "record.csv").read_text().splitlines()
+        for name, value, left in (
+            ("record_gap", 0.051, rows[:150] + rows[200:]),
+            ("record_begun", 0.5, rows[:1] + rows[139:]),
+            ("record_dropout", 30, rows[:160] + [row.split(",")[0] + ",0" for row in rows[160:190]] + rows[190:]),
+        ):
+            (self.folder / "record.csv").write_text("\n".join(left))
+            found, _ = self.ask("explain", scene=whole)
+            self.expect({name: found[name]}, name, value, places=1)
+            facts[name] = found[name]["text"]
+            _, summary = self.ask("run", "--set", "limits.overturning=1", "--set", "initial.water_level=15", scene=whole)
+            self.assertIn(name, summary["verdict"]["why_void"])
         found, _ = self.ask("explain", scene=self.record(every=0.01), *settings(time__end=6))
         found.pop("walls_too_near")
         self.expect(found, "record_too_coarse", 6)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace upbead {
 namespace record_test {
@@ -123,6 +124,80 @@ TEST(Records, Spikes) {
   const NumberedWarnings list = record_warnings(record);
   ASSERT_EQ(names(list), Names{"record_spikes"});
   EXPECT_EQ(list[0].value, 2.);
+}
+
+/// The record without the samples of (from, to).
+Record without(const Record& record, double from, double to) {
+  Record left{record.name, {}, {}};
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    if (record.time[i] > from && record.time[i] < to) continue;
+    left.time.push_back(record.time[i]);
+    left.value.push_back(record.value[i]);
+  }
+  return left;
+}
+
+TEST(Records, RowsThatAreMissingAreTold) {
+  const NumberedWarnings list = record_warnings(without(sampled(pulse), 0.25, 0.37));
+  ASSERT_EQ(names(list), Names{"record_gap"});
+  EXPECT_NEAR(list[0].value, 0.12, 1e-9);
+  EXPECT_TRUE(list[0].voids);
+  EXPECT_EQ(names(record_warnings(without(sampled(pulse), 0.7, 0.9))), Names()) << "exact rest may be left out";
+  const NumberedWarnings noisy =
+      record_warnings(without(sampled([](double t) { return pulse(t) + 1e4 * noise(t); }), 0.7, 0.9));
+  ASSERT_EQ(names(noisy), Names{"record_gap"});
+  EXPECT_FALSE(noisy[0].voids);
+  const Record few = sampled([](double t) { return std::sin(M_PI * t); }, 1., 0.04);
+  EXPECT_EQ(names(record_warnings(few)), Names{"record_too_coarse"});
+  EXPECT_EQ(names(record_warnings(without(few, 0.3, 0.61))), Names{"record_gap"}) << "26 samples";
+  Record adaptive{"force", {0.}, {0.}};  // steps that shrink a hundred times in the event, as of CFD programs
+  while (adaptive.time.back() < 1.) {
+    const double t = adaptive.time.back();
+    adaptive.time.push_back(t + (t > 0.2 && t < 0.6 ? 2e-4 : 2e-2));
+    adaptive.value.push_back(pulse(adaptive.time.back()));
+  }
+  EXPECT_EQ(names(record_warnings(adaptive)), Names());
+}
+
+/// The record with `value` from `from` until `to`; none: the value there.
+Record dropped(Record record, double from, double to, std::optional<double> value) {
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    if (record.time[i] < from || record.time[i] > to) continue;
+    if (!value) value = record.value[i];
+    record.value[i] = *value;
+  }
+  return record;
+}
+
+TEST(Records, ALostSignalIsTold) {
+  const NumberedWarnings list = record_warnings(dropped(sampled(pulse), 0.28, 0.4005, 0.));
+  ASSERT_EQ(names(list), Names{"record_dropout"});
+  EXPECT_EQ(list[0].value, 121.);
+  EXPECT_TRUE(list[0].voids);
+  const auto double_pulse = [](double t) { return 0.6 * pulse(t + 0.1) + pulse(t - 0.35); };
+  EXPECT_EQ(names(record_warnings(dropped(sampled(double_pulse, 1.2), 0.7, 0.8, 1e5))), Names{"record_dropout"});
+  EXPECT_EQ(names(record_warnings(dropped(sampled(double_pulse, 1.2), 0.6, 0.64, {}))), Names{"record_dropout"});
+  EXPECT_EQ(names(record_warnings(dropped(sampled(pulse), 0.45, 2., 0.))), Names{"record_dropout"}) << "to its end";
+}
+
+TEST(Records, ADrawnBoxAndAJumpLoseNothing) {
+  const auto box = [](double t) { return std::fmod(t, 0.3) > 0.15 ? 1e6 : 0.; };
+  for (const NumberedWarning& told : record_warnings(sampled(box))) EXPECT_NE(told.name, "record_dropout");
+  Record jump = sampled([](double t) { return t < 0.2 ? 0. : 1e6 * std::exp(-2. * (t - 0.2)); });
+  jump.time.insert(jump.time.begin() + 700, jump.time[700]);
+  jump.value.insert(jump.value.begin() + 700, jump.value[700]);
+  std::fill(jump.value.begin() + 701, jump.value.end(), 0.);
+  for (const NumberedWarning& told : record_warnings(jump)) EXPECT_NE(told.name, "record_dropout") << told.text();
+}
+
+TEST(Records, ThatBeginInTheMiddleAreTold) {
+  const NumberedWarnings list = record_warnings(without(sampled(pulse), -1., 0.275));
+  ASSERT_EQ(names(list), Names{"record_begun"});
+  EXPECT_NEAR(list[0].value, pulse(0.275) / 1e6, 1e-3);
+  EXPECT_TRUE(list[0].voids);
+  const auto held = [](double t) { return t < 0.7 ? 8e5 : 8e5 * std::max(0., 1. - 5. * (t - 0.7)); };
+  EXPECT_EQ(names(record_warnings(sampled(held)))[0], "record_begun") << "as an uplift that has risen before";
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e5 + pulse(t); }))), Names()) << "an offset";
 }
 
 TEST(Records, SwappedTransducersAreNamed) {

@@ -119,6 +119,7 @@ FileHistory read_history(const std::string& path, const Place& place, LoadKind k
     history.function = rate_of_samples(time, value);
     const double first = value.front();
     for (double& v : value) v -= first;
+    history.record.value = value;
     history.duration = sampled_duration(time, value, time.back());
     return history;
   }
