@@ -31,7 +31,8 @@ std::optional<SoilSummary> find_soil(const Evidence& e) {
 /// Finer cells have a larger strain at the corners of the base, and softer soil there.
 NumberedWarnings estimate_warnings(const Evidence& e, const Summary& s) {
   const bool estimated = e.scene.accuracy.estimate || !e.scene.mesh.refine;
-  if (!s.soil || !estimated) return {};
+  constexpr double counts = 0.02;  // of its stiffness: less changes no estimate
+  if (!s.soil || !estimated || 1. - s.soil->least_modulus_ratio <= counts) return {};
   return {
       {"estimate_of_kept_soil", 1. - s.soil->least_modulus_ratio, 0., "1",
        "errors are estimated with the stiffness that the soil has on these cells; with finer ones its strain at the "

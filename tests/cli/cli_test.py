@@ -26,7 +26,7 @@ import output_tables  # noqa: E402
 from pages import reference  # noqa: E402
 from report import vtu  # noqa: E402
 
-QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
+QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.1"]
 
 
 def undescribed(value, path, rows):
