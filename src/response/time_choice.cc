@@ -93,29 +93,39 @@ double arm_about_centre(const CompiledScene& compiled, double end) {
 /// Finds the apparent period at a real s.
 class PeriodFinder {
  public:
-  PeriodFinder(const CompiledScene& compiled, double end)
+  PeriodFinder(const CompiledScene& compiled, double end, KnownPeriods& known)
       : system_(compiled.system),
         layout_(layout_of(system_)),
         mass_(compiled.caisson->body.mass),
-        x_G_(row(reading::displacement_x)) {
-    b_ = x_G_ + arm_about_centre(compiled, end) * row(reading::rotation);
-  }
+        arm_(arm_about_centre(compiled, end)),
+        known_(known),
+        x_G_(row(reading::displacement_x)),
+        b_(x_G_ + arm_ * row(reading::rotation)) {}
 
+  double period(double s) {
+    const auto [place, is_new] = known_.try_emplace({s, arm_});
+    if (is_new) place->second = find(s);
+    n_factorisations_ += place->second.second;
+    return place->second.first;
+  }
+  /// Of all periods asked for, also where they were known.
+  int n_factorisations() const { return n_factorisations_; }
+
+ private:
   /// The apparent period; 0 where the caisson does not move with the force. A light caisson on soft ground, or one
   /// that the force turns more than it pushes, may only show a positive stiffness at a lower s.
-  double period(double s) {
-    for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
+  std::pair<double, int> find(double s) const {
+    int halved = 0;
+    for (; halved <= 4; ++halved, s /= 2.) {
       const Vector solution = solve(s);
       const double x = layout_.sum(x_G_.dot(solution));
       if (!(x > 0.)) continue;
       const double mass = mass_ + added_mass(solution, s, x), stiffness = 1. / x - mass * s * s;
-      if (stiffness > 0.) return 2. * pi * std::sqrt(mass / stiffness);
+      if (stiffness > 0.) return {2. * pi * std::sqrt(mass / stiffness), halved + 1};
     }
-    return 0.;
+    return {0., halved};
   }
-  int n_factorisations() const { return n_factorisations_; }
 
- private:
   /// By virtual work, the row of a displacement is the unit force that acts along it.
   Vector row(const char* name) const {
     Vector values = Vector::Zero(system_.n_free());
@@ -135,16 +145,16 @@ class PeriodFinder {
     return -layout_.sum(force) / (s * s * x);
   }
 
-  Vector solve(double s) {
+  Vector solve(double s) const {
     const int n = system_.n_free();
     const SparseMatrix S = (s * s * system_.M + s * system_.C + system_.K).eval().topLeftCorner(n, n);
-    ++n_factorisations_;
     return Factorisation(S, system_.blocks, system_.sharing).solve(b_);
   }
 
   const System& system_;
   Layout layout_;
-  double mass_;
+  double mass_, arm_;
+  KnownPeriods& known_;
   Vector x_G_, b_;
   int n_factorisations_ = 0;
 };
@@ -176,14 +186,15 @@ LoadStep step_of_loads(const Scene& scene, int order) {
   return choice;
 }
 
-StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order) {
+StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order, KnownPeriods* known) {
   const Stopwatch watch;
   const LoadStep loads = step_of_loads(scene, order);
   StepChoice choice;
   choice.growth = loads.growth;
   choice.largest_step = loads.largest_step;
   if (compiled.caisson && scene.time.inertia) {
-    PeriodFinder finder(compiled, scene.time.end);
+    KnownPeriods none;
+    PeriodFinder finder(compiled, scene.time.end, known != nullptr ? *known : none);
     double period = finder.period(pi / loads.duration);
     // The 20th of the end is only a start: the period must not depend on how long the run is.
     for (int i = 0; i < 2 && loads.lone_jump && period > 0.; ++i) period = finder.period(pi / period);

@@ -389,7 +389,7 @@ bool was_shared(const Checkpointing& checkpoints) {
 }  // namespace
 
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
-                  double part, const System* in_place) {
+                  double part, const System* in_place, KnownPeriods* known) {
   MarchOptions marching = options;
   const auto monitors =
       options.monitored ? std::make_shared<Monitors>(simulation, was_shared(options.checkpoints)) : nullptr;
@@ -405,7 +405,7 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
   if (!time.step) {
     Scene whole = simulation.scene();
     whole.tolerance = whole_tolerance(simulation);
-    step = choose_step(whole, *simulation.compiled(), scheme.order());
+    step = choose_step(whole, *simulation.compiled(), scheme.order(), known);
     if (scheme.yielding() || scheme.contact()) step.largest_step *= contact_step;
     if (scheme.contact() && !scheme.yielding()) {
       marching.leap = contact_leap(whole_tolerance(simulation));

@@ -63,7 +63,8 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
 
 /// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen. `in_place`: the
 /// scheme's system where that is not the simulation's own but another one with the same loads, which sets no steps.
+/// `known`: see choose_step.
 Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const Marching& options,
-                  double part = 1., const System* in_place = nullptr);
+                  double part = 1., const System* in_place = nullptr, KnownPeriods* known = nullptr);
 
 }  // namespace upbead

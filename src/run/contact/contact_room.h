@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dynamics/basis.h"
+#include "response/time_choice.h"
 #include "run/contact/reduced_ground.h"
 
 namespace upbead {
@@ -21,6 +22,7 @@ struct ContactRoom {
   double rest_level = 0.;             ///< of the water then (m)
   std::shared_ptr<BasisRoom> bonded;  ///< of the bonded caisson
   std::unique_ptr<ReducedGround> ground;
+  KnownPeriods periods;
 };
 
 }  // namespace upbead

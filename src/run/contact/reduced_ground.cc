@@ -59,7 +59,8 @@ struct ContactAnswer {
   double slip = 0.;
 };
 
-ContactAnswer answer_of(const Simulation& simulation, const ReducedGround::Level& level, const Marching& marching) {
+ContactAnswer answer_of(const Simulation& simulation, const ReducedGround::Level& level, const Marching& marching,
+                        KnownPeriods& periods) {
   const InterfaceModel& model = level.model;
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(model.system, model.ground, level.stages);
   ContactRecorder recorder(model.system, *scheme);
@@ -74,11 +75,10 @@ ContactAnswer answer_of(const Simulation& simulation, const ReducedGround::Level
   ContactAnswer answer{march_by(*scheme, simulation,
                                 "bonded, the caisson would slip or lift at some node; the ground is "
                                 "linear, and a reduced model stands for it",
-                                options, 1., &model.system),
+                                options, 1., &model.system, &periods),
                        0.};
   Solution& solution = answer.solution;
   solution.response = model.read(std::move(solution.response), motions);
-  solution.response.final_state = model.whole(solution.response.final_state);
   if (monitors->pressure) monitors->pressure->see(model.phi, model.pressures(motions), solution.response.ends.time);
   if (const std::optional<Mismatch> off = imbalance(simulation, solution)) throw NumericsError(Imbalance(*off).what());
   solution.contact = followed_by(recorder);
@@ -210,11 +210,11 @@ bool reduces_ground(const Simulation& simulation) {
   return simulation.scene().time.scheme == TimeScheme::reduced && why_ground_is_whole(simulation).empty();
 }
 
-ReducedGround::ReducedGround(std::shared_ptr<const CompiledScene> compiled, double shift, const Eigen::MatrixXd& bonded)
+ReducedGround::ReducedGround(std::shared_ptr<const CompiledScene> compiled, double shift, Eigen::MatrixXd bonded)
     : compiled_(std::move(compiled)),
       shift_(shift),
       n_bonded_(bonded.cols()),
-      space_(compiled_->system, shift, compiled_->body_coordinates, compiled_->caisson_motions, bonded) {}
+      space_(compiled_->system, shift, compiled_->body_coordinates, compiled_->caisson_motions, std::move(bonded)) {}
 
 bool ReducedGround::serves(const CompiledScene& compiled, double shift, Eigen::Index n_bonded) const {
   const std::vector<SystemLoad>&mine = compiled_->system.loads, &others = compiled.system.loads;
@@ -248,13 +248,14 @@ Solution contact_on_reduced_ground(const Simulation& simulation, const Marching&
   ContactGround error;
   for (int number = 0; number < InterfaceSpace::n_levels; ++number) {
     const ReducedGround::Level& level = ground.level(number, compiled.system);
-    ContactAnswer answer = answer_of(simulation, level, marching);
+    ContactAnswer answer = answer_of(simulation, level, marching, room.periods);
     if (before) {
       error = difference(compiled.system, answer, *before, tolerance);
       error.coordinates = level.model.system.n_free();
       error.solves = level.n_solves;
       if (meets(error, answer, tolerance)) {
         answer.solution.contact->found.solved->ground = error;
+        answer.solution.response.final_state = level.model.whole(answer.solution.response.final_state);
         answer.solution.timing.march = watch.seconds();
         return std::move(answer.solution);
       }

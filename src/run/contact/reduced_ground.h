@@ -24,7 +24,7 @@ std::string why_ground_is_whole(const Simulation& simulation);
 class ReducedGround {
  public:
   /// `bonded`: directions in which the bonded caisson answers the loads, see InterfaceSpace.
-  ReducedGround(std::shared_ptr<const CompiledScene> compiled, double shift, const Eigen::MatrixXd& bonded);
+  ReducedGround(std::shared_ptr<const CompiledScene> compiled, double shift, Eigen::MatrixXd bonded);
   /// Whether it would be the same for that scene, whose System differs at most in what models do not depend on, and
   /// for so many directions.
   bool serves(const CompiledScene& compiled, double shift, Eigen::Index n_bonded) const;
