@@ -278,11 +278,11 @@ void LeastPressure::see(const PressureModel& model, const SampledLoads& loads, d
 void LeastPressure::see(const FieldBasis& basis, const Eigen::MatrixXd& velocities, const std::vector<double>& times) {
   if (!watches()) return;
   const Eigen::MatrixXd rows = rows_of_basis(rows_, basis);
-  constexpr Eigen::Index together = 16;  // so that what is looked at stays in the cache
-  for (Eigen::Index first = 0; first < velocities.cols(); first += together) {
-    const Eigen::MatrixXd excess =
-        product(rows, velocities.middleCols(first, std::min(together, velocities.cols() - first)));
-    for (Eigen::Index i = 0; i < excess.cols(); ++i) take(excess.col(i), times[static_cast<std::size_t>(first + i)]);
+  constexpr Eigen::Index together = 128;  // so that what is looked at stays in the cache
+  for (Eigen::Index first = 0; first < rows.rows(); first += together) {
+    const Eigen::MatrixXd excess = product(rows.middleRows(first, std::min(together, rows.rows() - first)), velocities);
+    for (Eigen::Index i = 0; i < excess.cols(); ++i)
+      take(excess.col(i), times[static_cast<std::size_t>(i)], static_cast<std::size_t>(first));
   }
 }
 
@@ -297,9 +297,10 @@ void LeastPressure::recall(const std::vector<double>& memory) {
   has_seen_ = memory.at(3) != 0.;
 }
 
-void LeastPressure::take(const Eigen::Ref<const Vector>& excess, double time) {
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const double p = nodes_[i].still + excess[static_cast<Eigen::Index>(i)];
+void LeastPressure::take(const Eigen::Ref<const Vector>& excess, double time, std::size_t first) {
+  for (Eigen::Index row = 0; row < excess.size(); ++row) {
+    const std::size_t i = first + static_cast<std::size_t>(row);
+    const double p = nodes_[i].still + excess[row];
     if (has_seen_ && p >= least_) continue;
     has_seen_ = true;
     least_ = p;

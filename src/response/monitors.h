@@ -129,7 +129,8 @@ class LeastPressure : public MarchObserver {
     double still = 0.;  ///< absolute pressure at rest (Pa)
   };
 
-  void take(const Eigen::Ref<const Vector>& excess, double time);
+  /// Of the nodes from `first` on.
+  void take(const Eigen::Ref<const Vector>& excess, double time, std::size_t first = 0);
 
   std::vector<Node> nodes_;
   SparseMatrix rows_;  ///< maps x' to the excess pressures of the nodes
