@@ -7,13 +7,11 @@
 
 #include "algebra/dense.h"
 #include "algebra/factorisation.h"
+#include "dynamics/products.h"
 
 namespace upbead {
 
 namespace {
-
-/// Row by row, so that a sparse matrix is read once for all columns.
-using PatchRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr Eigen::Index all_degrees = 14;  ///< beyond about 20 polynomials are not independent in doubles
 /// Layers of unknowns around the interface, each of those that share a cell with the one before: at least 12, and a
@@ -83,7 +81,7 @@ CarriedMotions::CarriedMotions(const System& system, const SparseMatrix& at_shif
   choose_patch(at_shift, own, std::max(least_layers, static_cast<int>(n) / nodes_of_layer));
   carry(at_shift, high);
   const auto product_with = [&](const SparseMatrix& A) -> Eigen::MatrixXd {
-    return part_of(A, near_, unknown_) * PatchRows(motion_);
+    return detail::block_product(part_of(A, near_, unknown_), motion_);
   };
   products_ = {product_with(system.M), product_with(system.C), product_with(system.K)};
   std::vector<int> places;
@@ -122,8 +120,8 @@ void CarriedMotions::carry(const SparseMatrix& at_shift, const Eigen::MatrixXd& 
   motion_.bottomRows(n).setIdentity();
   if (patch_.empty()) return;
   const Factorisation factors(part_of(at_shift, patch_, patch_), {});
-  const PatchRows rhs = part_of(at_shift, patch_, interface) * PatchRows(-high);
-  const Eigen::MatrixXd answer = factors.solve_columns(rhs);
+  const Eigen::MatrixXd answer =
+      factors.solve_columns(detail::block_product(part_of(at_shift, patch_, interface), -high));
   const auto place = [&](int i) { return std::lower_bound(patch_.begin(), patch_.end(), i) - patch_.begin(); };
   for (Eigen::Index i = 0; i < n_moving - n; ++i)
     places.push_back(static_cast<int>(place(unknown_[static_cast<std::size_t>(i)])));

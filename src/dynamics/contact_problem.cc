@@ -153,7 +153,8 @@ void ContactProblem::release(const ContactPoint& point, const std::vector<Contac
   if (status != factorised_) factorise(status);
   Vector change = -point.motion;
   for (const Eigen::Index k : released_) change[k] = 0.;
-  Vector force = D_ * change;
+  Vector force = Vector::Zero(2 * n_);
+  if (!change.isZero(0.)) force = D_ * change;
   force.head(n_) -= point.forces.shear;
   force.tail(n_) += point.forces.normal;
   if (!released_.empty()) {

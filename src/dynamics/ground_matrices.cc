@@ -1,6 +1,7 @@
 #include "dynamics/ground_matrices.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <utility>
 
 #include "algebra/dense.h"
@@ -9,24 +10,24 @@ namespace upbead {
 
 namespace {
 
-/// Orthonormal columns that span those of S, but for `least` of the largest; in two passes, as the squares of lengths
-/// keep half of the digits.
-Eigen::MatrixXd span_of(Eigen::MatrixXd S, double least) {
-  Eigen::MatrixXd U(S.rows(), 0);
-  double largest = 0.;
-  for (int pass = 0; pass < 2; ++pass) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(product(S, S.transpose()));
-    if (pass == 0) largest = found.eigenvalues().tail<1>()[0];
-    const double part = pass == 0 ? 1e-6 : least;
-    const Eigen::Index k = (found.eigenvalues().array() > part * part * largest).count();
-    if (k == 0) break;
-    Eigen::MatrixXd added = found.eigenvectors().rightCols(k);
+/// Orthonormal columns that span those of `exactly`, and those of S but for `least` of their length.
+Eigen::MatrixXd span_of(const Eigen::MatrixXd& exactly, Eigen::MatrixXd S, double least) {
+  constexpr double round_off = 1e-11;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> first;
+  first.setThreshold(round_off);
+  first.compute(exactly);
+  Eigen::MatrixXd U = first.householderQ() * Eigen::MatrixXd::Identity(S.rows(), first.rank());
+  const double shortest = least * S.norm();
+  S -= product(U, transposed_product(U, S));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(product(S, S.transpose()));
+  const Eigen::Index k = (found.eigenvalues().array() > shortest * shortest).count();
+  Eigen::MatrixXd added = found.eigenvectors().rightCols(k);
+  for (int pass = 0; pass < 2 && k > 0; ++pass) {  // squares of lengths keep half of the digits
     added -= product(U, transposed_product(U, added));
-    for (Eigen::Index j = 0; j < k; ++j) added.col(j).normalize();
-    U.conservativeResize(Eigen::NoChange, U.cols() + k);
-    U.rightCols(k) = added;
-    S -= product(U, transposed_product(U, S));
+    added = (added.householderQr().householderQ() * Eigen::MatrixXd::Identity(S.rows(), k)).eval();
   }
+  U.conservativeResize(Eigen::NoChange, U.cols() + k);
+  U.rightCols(k) = added;
   return U;
 }
 
@@ -44,55 +45,68 @@ Vector product_of_some(const Eigen::MatrixXd& A, const Eigen::Ref<const Vector>&
   return y;
 }
 
-GroundMatrices::GroundMatrices(OfMatrices free, const OfMatrices& coupling, const OfMatrices& interface, double shift)
+GroundMatrices::GroundMatrices(OfMatrices free, const OfMatrices& coupling, const OfMatrices& interface,
+                               const Eigen::MatrixXd& exactly, Eigen::Index n_diagonal, double shift)
     : M_ff(std::move(free.M)),
       C_ff(std::move(free.C)),
       M_ii(interface.M),
       C_ii(interface.C),
       K_ii(interface.K),
-      K_ff(free.K.diagonal()) {
-  constexpr double least = 1e-11;
+      K_ff(free.K.diagonal()),
+      M_diagonal_(Vector::Zero(K_ff.size())) {
+  constexpr double least = 1e-6;
   const Eigen::Index r = n_free(), m = M_ii.rows();
   Eigen::MatrixXd all(m, 3 * r);
   all << shift * shift * coupling.M.transpose(), shift * coupling.C.transpose(), coupling.K.transpose();
-  U = span_of(std::move(all), least);
+  U = span_of(exactly, std::move(all), least);
   M_f = product(coupling.M, U);
   C_f = product(coupling.C, U);
   K_f = product(coupling.K, U);
-  const Eigen::Index k = U.cols();
-  of_free.resize(r + 3 * k, r);
-  of_free << C_ff, M_f.transpose(), C_f.transpose(), K_f.transpose();
-  of_along.resize(2 * r, k);
-  of_along << C_f, K_f;
-  of_interface.resize(2 * m, m);
-  of_interface << C_ii, K_ii;
+  from_along_.resize(2 * r, U.cols());
+  from_along_ << M_f, K_f;
+  to_along_.resize(r, 2 * U.cols());
+  to_along_ << C_f, K_f;
+  interface_.resize(2 * m, m);
+  interface_ << C_ii, K_ii;
+  M_diagonal_.head(n_diagonal) = M_ff.diagonal().head(n_diagonal);
+  if (const auto rest = M_ff.bottomRightCorner(r - n_diagonal, r - n_diagonal); !rest.isZero(0.)) M_rest_ = rest;
+  M_ff = M_diagonal_.asDiagonal();
+  M_ff.bottomRightCorner(M_rest_.rows(), M_rest_.rows()) += M_rest_;
 }
 
-GroundProducts GroundMatrices::products(const Vector& a) const {
-  const Eigen::Index r = n_free(), m = a.size() - r, k = U.cols();
-  const auto free = a.head(r), interface = a.tail(m);
-  const Vector by_free = product(of_free, free);
-  GroundProducts out{Vector::Zero(a.size()), Vector::Zero(a.size())};
-  out.C.head(r) = by_free.head(r);
-  out.K.head(r) = K_ff.cwiseProduct(free);
-  const Vector C_and_K = product(U, by_free.tail(2 * k).reshaped(k, 2)).reshaped();
-  out.C.tail(m) = C_and_K.head(m);
-  out.K.tail(m) = C_and_K.tail(m);
-  if (interface.isZero(0.)) return out;
-  const Vector along = product(of_along, transposed_product(U, interface)),
-               own = product_of_some(of_interface, interface);
-  out.C.head(r) += along.head(r);
-  out.K.head(r) += along.tail(r);
-  out.C.tail(m) += own.head(m);
-  out.K.tail(m) += own.tail(m);
-  return out;
-}
-
-Vector GroundMatrices::with_mass(const Vector& v) const {
+GroundProducts GroundMatrices::products(const Vector& v) const {
   const Eigen::Index r = n_free(), m = v.size() - r;
-  Vector out(v.size());
-  out.head(r) = product(M_ff, v.head(r)) + product(M_f, transposed_product(U, v.tail(m)));
-  out.tail(m) = product(U, transposed_product(M_f, v.head(r))) + product(M_ii, v.tail(m));
+  const Vector along = transposed_product(U, v.tail(m));
+  const auto with = [&](const Vector& of_free, const Eigen::MatrixXd& A, const Eigen::MatrixXd& ii) {
+    Vector out(v.size());
+    out << of_free + product(A, along), product(U, transposed_product(A, v.head(r))) + product(ii, v.tail(m));
+    return out;
+  };
+  return {with(product(M_ff, v.head(r)), M_f, M_ii), with(product(C_ff, v.head(r)), C_f, C_ii),
+          with(K_ff.cwiseProduct(v.head(r)), K_f, K_ii)};
+}
+
+/// In the rows of free coordinates C a is what M a and K a leave of rhs, in those of the interface M a is.
+GroundProducts GroundMatrices::products(const Vector& a, const Vector& rhs, double g) const {
+  const Eigen::Index r = n_free(), m = a.size() - r, k = U.cols(), n_rest = M_rest_.rows();
+  const auto free = a.head(r), interface = a.tail(m);
+  GroundProducts out{Vector(a.size()), Vector(a.size()), Vector(a.size())};
+  out.M.head(r) = M_diagonal_.cwiseProduct(free);
+  if (n_rest > 0) out.M.segment(r - n_rest, n_rest) += product(M_rest_, free.tail(n_rest));
+  out.K.head(r) = K_ff.cwiseProduct(free);
+  const Eigen::MatrixXd C_and_K = product(U, transposed_product(to_along_, free).reshaped(k, 2).eval());
+  out.C.tail(m) = C_and_K.col(0);
+  out.K.tail(m) = C_and_K.col(1);
+  if (!interface.isZero(0.)) {
+    const Vector along = product(from_along_, transposed_product(U, interface)),
+                 own = product_of_some(interface_, interface);
+    out.M.head(r) += along.head(r);
+    out.K.head(r) += along.tail(r);
+    out.C.tail(m) += own.head(m);
+    out.K.tail(m) += own.tail(m);
+  }
+  out.C.head(r) = (rhs.head(r) - out.M.head(r) - g * g * out.K.head(r)) / g;
+  out.M.tail(m) = rhs.tail(m) - g * out.C.tail(m) - g * g * out.K.tail(m);
   return out;
 }
 

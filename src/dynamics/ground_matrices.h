@@ -7,30 +7,37 @@
 
 namespace upbead {
 
-/// Products of C and K with a vector.
+/// Products of M, C and K with a vector.
 struct GroundProducts {
-  Vector C, K;
+  Vector M, C, K;
 };
 
-/// M, C and K of r free coordinates (f), in which K_ff is diagonal, and of m motions of an interface (i). Smooth
-/// motions of the interface alone couple with the free ones: the blocks fi are A U^T with U' U = 1 and few columns.
+/// M, C and K of r free coordinates (f), in which K_ff is diagonal, and of m motions of an interface (i). M_ff is
+/// diagonal, too, in the first ones, and couples these with no others. The blocks fi are A U^T with U' U = 1 and few
+/// columns.
 struct GroundMatrices {
   Eigen::MatrixXd M_ff, C_ff, M_ii, C_ii, K_ii;
   Vector K_ff;
   Eigen::MatrixXd U;              ///< m x k
   Eigen::MatrixXd M_f, C_f, K_f;  ///< A of each: r x k
-  Eigen::MatrixXd of_free;        ///< C_ff, M_f', C_f', K_f' one below the other
-  Eigen::MatrixXd of_along;       ///< C_f, K_f, likewise
-  Eigen::MatrixXd of_interface;   ///< C_ii, K_ii, likewise
 
-  /// The blocks of the free coordinates, with K diagonal, those of free ones with the interface, and of the interface;
-  /// couplings below 1e-11 of the largest about the shift are left out.
-  GroundMatrices(OfMatrices free, const OfMatrices& coupling, const OfMatrices& interface, double shift);
+  /// The blocks of the free coordinates, of which M is diagonal in the first `n_diagonal`, those of free ones with the
+  /// interface, and of the interface. Of the couplings the part along `exactly` (m x any) is kept, and of the rest what
+  /// counts about the shift.
+  GroundMatrices(OfMatrices free, const OfMatrices& coupling, const OfMatrices& interface,
+                 const Eigen::MatrixXd& exactly, Eigen::Index n_diagonal, double shift);
 
   Eigen::Index n_free() const { return K_ff.size(); }
-  GroundProducts products(const Vector& a) const;
-  /// M v.
-  Vector with_mass(const Vector& v) const;
+  GroundProducts products(const Vector& v) const;
+  /// The same of an a with (M + g C + g^2 K) a = rhs, in half of the work.
+  GroundProducts products(const Vector& a, const Vector& rhs, double g) const;
+
+ private:
+  Vector M_diagonal_;           ///< zero where M_ff is not diagonal
+  Eigen::MatrixXd M_rest_;      ///< the block of these coordinates, the last ones; empty where it is zero
+  Eigen::MatrixXd from_along_;  ///< M_f, K_f one below the other
+  Eigen::MatrixXd to_along_;    ///< C_f, K_f side by side
+  Eigen::MatrixXd interface_;   ///< C_ii, K_ii one below the other
 };
 
 /// A x, of which only ranges of each half of x are not zero.

@@ -99,8 +99,7 @@ void GroundSteps::follow(const State& state) {
       motion.v == state.v)
     return;
   GroundProducts of_v = ground_.products(state.v);
-  motion = {state.x,           state.v,           ground_.products(state.x).K,
-            std::move(of_v.K), std::move(of_v.C), ground_.with_mass(state.v)};
+  motion = {state.x, state.v, ground_.products(state.x).K, std::move(of_v.K), std::move(of_v.C), std::move(of_v.M)};
 }
 
 void GroundSteps::predict(const GroundMotion& motion, double h, int i) {
@@ -118,11 +117,11 @@ void GroundSteps::predict(const GroundMotion& motion, double h, int i) {
   now_.rhs = f_ - C_of_v_ - with(motion.Kx, KV_) - g * K_of_v_;
 }
 
-/// Products of the stage that was solved. That with M follows from its equation.
+/// Products of the stage that was solved.
 void GroundSteps::multiply(double g, int i) {
-  GroundProducts of = ground_.products(now_.a);
-  MA_.col(i) = now_.rhs - g * of.C - g * g * of.K;
-  MA_.col(i).tail(residual_.size()) += residual_;
+  now_.rhs.tail(residual_.size()) += residual_;
+  const GroundProducts of = ground_.products(now_.a, now_.rhs, g);
+  MA_.col(i) = of.M;
   KA_.col(i) = of.K;
   CA_.col(i) = of.C;
   KV_.col(i) = K_of_v_ + g * of.K;

@@ -33,15 +33,9 @@ SparseMatrix at_shift(const System& system, double shift) {
 }
 
 /// Bases of `exact` unknowns alone.
-FieldBases bases_of(const System& system, double shift, const std::vector<int>& exact) {
-  FieldBases bases = exact_bases(system, at_shift(system, shift), exact);
-  const int n = system.n_prescribed;
-  FieldBasis& u = bases.displacements;
-  const Eigen::Index kept = u.n() - n;
-  u.vectors = u.vectors.middleCols(n, std::max<Eigen::Index>(kept, 1)).eval();
-  u.coordinate.erase(u.coordinate.begin(), u.coordinate.begin() + n);
-  for (FieldBasis* basis : {&bases.displacements, &bases.phi})
-    for (int& coordinate : basis->coordinate) coordinate -= n;
+FieldBases bases_of(const System& system, const SparseMatrix& T, const std::vector<int>& exact) {
+  FieldBases bases = detail::empty_bases(system, T);
+  for (const int i : exact) detail::keep_unknown(system, i, bases);
   return bases;
 }
 
@@ -56,14 +50,13 @@ std::vector<bool> own_unknowns(const System& system, const std::vector<int>& exa
 }  // namespace
 
 MomentTrain::MomentTrain(const System& system, double shift)
-    : n_free_(system.n_free()),
+    : system_(system),
+      shift_(shift),
+      n_free_(system.n_free()),
       T_(at_shift(system, shift)),
-      with_now_(2. * shift * shift * system.M + shift * system.C),
-      with_before_(shift * shift * system.M),
       factors_(SparseMatrix(T_.topLeftCorner(n_free_, n_free_)), system.blocks, system.sharing) {}
 
 MomentTrain::~MomentTrain() = default;
-MomentTrain::MomentTrain(MomentTrain&&) noexcept = default;
 
 Eigen::MatrixXd MomentTrain::solved(const Eigen::MatrixXd& rhs) {
   n_solves_ += static_cast<int>(rhs.cols());
@@ -84,9 +77,12 @@ Eigen::MatrixXd MomentTrain::answer(const Eigen::MatrixXd& loads) {
   return solved(loads);
 }
 
-Eigen::MatrixXd MomentTrain::next(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
-  VectorBlock rhs = -(with_now_ * VectorBlock(now));
-  if (before.size() > 0) rhs -= with_before_ * VectorBlock(before);
+Eigen::MatrixXd MomentTrain::next(const Eigen::MatrixXd& now, Eigen::MatrixXd& mass_before) {
+  const VectorBlock moments = now;
+  Eigen::MatrixXd mass = detail::block_product(system_.M, moments);
+  Eigen::MatrixXd rhs = -2. * shift_ * shift_ * mass - shift_ * detail::block_product(system_.C, moments);
+  if (mass_before.size() > 0) rhs -= shift_ * shift_ * mass_before;
+  mass_before = std::move(mass);
   return solved(rhs);
 }
 
@@ -96,9 +92,9 @@ InterfaceSpace::InterfaceSpace(const System& system, double shift, const std::ve
       shift_(shift),
       own_(own_unknowns(system, exact)),
       of_loads_(std::move(of_loads)),
-      bases_(bases_of(system, shift, exact)),
-      n_own_{bases_.displacements.n(), bases_.phi.n()},
       slow_(system, shift),
+      bases_(bases_of(system, slow_.matrix(), exact)),
+      n_own_{bases_.displacements.n(), bases_.phi.n()},
       fast_(system, fast_share * shift),
       carried_(system, fast_.matrix(), own_) {
   if (!kept.empty()) {
@@ -106,6 +102,7 @@ InterfaceSpace::InterfaceSpace(const System& system, double shift, const std::ve
     for (std::size_t k = 0; k < kept.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = kept[k];
     add(bases_.displacements, {columns});
   }
+  n_exact_ = bases_.displacements.n();
   start();
   extend();
 }
@@ -166,10 +163,9 @@ void InterfaceSpace::take_level() {
   if (of_loads_.size() > 0 && level_ < 2) columns.push_back(loads_of_level());
   for (MomentSeries& series : series_)
     for (; series.done < series.orders[level_]; ++series.done) {
-      Eigen::MatrixXd next = series.done > 0   ? series.train->next(series.now, series.before)
-                             : series.of_loads ? normalised(series.train->answer(series.start))
-                                               : normalised(series.train->follow(series.start));
-      series.before = std::exchange(series.now, std::move(next));
+      series.now = series.done > 0   ? series.train->next(series.now, series.mass_before)
+                   : series.of_loads ? normalised(series.train->answer(series.start))
+                                     : normalised(series.train->follow(series.start));
       columns.push_back(series.now);
     }
   add(bases_.displacements, columns);
@@ -190,16 +186,19 @@ void InterfaceSpace::add(FieldBasis& basis, const std::vector<Eigen::MatrixXd>& 
   }
   for (std::size_t i = 0; i < basis.unknown.size(); ++i)
     if (own_[static_cast<std::size_t>(basis.unknown[i])]) Y.row(static_cast<Eigen::Index>(i)).setZero();
-  for (int pass = 0; pass < 2 && n_old > 0; ++pass) {
-    const Eigen::Ref<const Eigen::MatrixXd> old = basis.vectors.middleCols(n_own, n_old);
-    Y -= product(old, transposed_product(old, Y));
-  }
+  const auto old = basis.vectors.middleCols(n_own, n_old);
+  const auto without_old = [&](Eigen::MatrixXd& of) {
+    if (n_old > 0) of -= product(old, transposed_product(old, of));
+  };
+  without_old(Y);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(transposed_product(Y, Y));  // ascending
   const double least = level_ < 0 ? detail::round_off : least_length[level_];
   const Eigen::Index m = (modes.eigenvalues().array() > least * least).count();
   if (m == 0) return;
   Eigen::MatrixXd V = product(Y, modes.eigenvectors().rightCols(m));
-  for (int pass = 0; pass < 2; ++pass) {  // orthonormal to round-off by Cholesky's factor, twice
+  V *= modes.eigenvalues().tail(m).cwiseSqrt().cwiseInverse().asDiagonal();
+  without_old(V);  // again, as what round-off leaves of a long column is much beside a short one
+  for (int pass = level_ < 0 ? 0 : 1; pass < 2; ++pass) {  // orthonormal to round-off by Cholesky's factor
     const Eigen::LLT<Eigen::MatrixXd> factor(transposed_product(V, V));
     V = product(V, factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m)).transpose());
   }
@@ -232,25 +231,63 @@ void InterfaceSpace::extend() {
 
 namespace {
 
-/// Orthonormal coordinates of both kinds apart in which K is diagonal.
-Eigen::MatrixXd with_diagonal(const ReducedSystem& reduced) {
-  Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(reduced.size(), reduced.size());
+/// Coordinates in which K is diagonal, those of displacements first.
+struct Coordinates {
+  Eigen::MatrixXd Z;
+  Eigen::Index n_displacements, n_diagonal;  ///< the first of these have a diagonal M
+};
+
+/// Orthonormal coordinates of both kinds apart in which K is diagonal; of displacements such that M is diagonal, too,
+/// and s^2 M + K = 1, unless that is nearly singular.
+Coordinates with_diagonal(const ReducedSystem& reduced) {
+  constexpr double least = 1e-8;
+  Coordinates out{Eigen::MatrixXd::Zero(reduced.size(), reduced.size()), 0, 0};
+  Eigen::Index first = 0;
   for (const bool is_phi : {false, true}) {
     std::vector<int> list;
     for (int i = 0; i < reduced.size(); ++i)
       if (reduced.is_phi[static_cast<std::size_t>(i)] == is_phi) list.push_back(i);
     if (list.empty()) continue;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(reduced.K(list, list));
-    Z(list, list) = modes.eigenvectors();
+    const auto n = static_cast<Eigen::Index>(list.size());
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n), K = reduced.K(list, list);
+    if (!is_phi) {
+      out.n_displacements = n;
+      const Eigen::MatrixXd M = reduced.M(list, list);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(reduced.shift * reduced.shift * M + K);
+      if (whole.eigenvalues()[0] > least * whole.eigenvalues()[n - 1]) {
+        unit = whole.eigenvectors() * whole.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
+        K = transposed_product(unit, product(K, unit));
+        out.n_diagonal = n;
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
+    out.Z(list, Eigen::seqN(first, n)) = product(unit, modes.eigenvectors());
+    first += n;
   }
-  return Z;
+  return out;
 }
 
 }  // namespace
 
+/// Motions of the nodes whose couplings are kept to round-off: smooth ones, which carry nothing, and all that moves
+/// with the bodies.
+Eigen::MatrixXd InterfaceSpace::exact_motions() const {
+  const Eigen::MatrixXd& degrees = carried_.by_degree();
+  const Eigen::Index n_low = std::min(2 * CarriedMotions::low_degrees, degrees.cols());
+  Eigen::MatrixXd motions(degrees.rows(), n_low + 3 * (n_exact_ + n_own_[1]));
+  motions.leftCols(n_low) = degrees.leftCols(n_low);
+  Eigen::Index next = n_low;
+  for (const auto& [basis, n] : {std::pair{&bases_.displacements, n_exact_}, {&bases_.phi, n_own_[1]}})
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (const Eigen::MatrixXd* A : {&coupling_.M, &coupling_.C, &coupling_.K})
+        motions.col(next++) = A->row(basis->coordinate[static_cast<std::size_t>(j)]).stableNormalized();
+  return motions;
+}
+
 InterfaceModel InterfaceSpace::model() const {
   const ReducedSystem& reduced = projection_->reduced();
-  const Eigen::MatrixXd Z = with_diagonal(reduced);
+  const Coordinates coordinates = with_diagonal(reduced);
+  const Eigen::MatrixXd& Z = coordinates.Z;
   const Eigen::Index r = reduced.size(), m = system_.n_prescribed;
   const auto turned = [&](const OfMatrices& A, bool twice) -> OfMatrices {
     const auto turn = [&](const Eigen::MatrixXd& one) { return transposed_product(Z, twice ? product(one, Z) : one); };
@@ -263,7 +300,7 @@ InterfaceModel InterfaceSpace::model() const {
   };
   InterfaceModel model{{},
                        {turned({reduced.M, reduced.C, reduced.K}, true), turned(coupling_, false), carried_.matrices(),
-                        fast_share * shift_},
+                        exact_motions(), coordinates.n_diagonal, fast_share * shift_},
                        rows(reduced.position, &Reading::position),
                        rows(reduced.velocity, &Reading::velocity),
                        rows(reduced.acceleration, &Reading::acceleration),
@@ -276,9 +313,7 @@ InterfaceModel InterfaceSpace::model() const {
   System& system = model.system;
   system.M = system.C = system.K = SparseMatrix(r + m, r + m);
   system.field.assign(static_cast<std::size_t>(r + m), Field::displacement);
-  for (Eigen::Index i = 0; i < r; ++i)
-    if (reduced.is_phi[static_cast<std::size_t>(i)])
-      system.field[static_cast<std::size_t>(i)] = Field::pressure_impulse;
+  std::fill(system.field.begin() + coordinates.n_displacements, system.field.begin() + r, Field::pressure_impulse);
   system.loads = system_.loads;
   for (std::size_t k = 0; k < system.loads.size(); ++k) {
     Vector along(r + m);

@@ -16,26 +16,28 @@ namespace upbead {
 
 /// What the system answers about a real shift s to several starts at once: T(s)^-1 b of loads, or what follows a motion
 /// of the interface. T(s_0) r_j = -s_0 (2 s_0 M + C) r_{j-1} - s_0^2 M r_{j-2}, see SecondOrderKrylov.
+/// The system must outlive it.
 class MomentTrain {
  public:
   MomentTrain(const System& system, double shift);
   ~MomentTrain();
-  MomentTrain(MomentTrain&&) noexcept;
 
   /// r_0 of motions of the prescribed unknowns, a column each.
   Eigen::MatrixXd follow(const Eigen::MatrixXd& motions);
   /// r_0 of right-hand sides, a column each.
   Eigen::MatrixXd answer(const Eigen::MatrixXd& loads);
-  /// The next moments of all columns; `before` is empty after r_0.
-  Eigen::MatrixXd next(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before);
+  /// The next moments of all columns; `mass_before`: M times those before `now`, empty after r_0; then of `now`.
+  Eigen::MatrixXd next(const Eigen::MatrixXd& now, Eigen::MatrixXd& mass_before);
   int n_solves() const { return n_solves_; }
   const SparseMatrix& matrix() const { return T_; }
 
  private:
   Eigen::MatrixXd solved(const Eigen::MatrixXd& rhs);
 
+  const System& system_;
+  double shift_;
   int n_free_;
-  SparseMatrix T_, with_now_, with_before_;
+  SparseMatrix T_;
   Factorisation factors_;
   int n_solves_ = 0;
 };
@@ -102,7 +104,7 @@ class InterfaceSpace {
     MomentTrain* train;
     const int* orders;  ///< moments at each level
     bool of_loads;
-    Eigen::MatrixXd start, now, before;  ///< loads or motions, and their latest moments
+    Eigen::MatrixXd start, now, mass_before;  ///< loads or motions, their latest moments, and see MomentTrain::next
     int done;
   };
 
@@ -111,14 +113,16 @@ class InterfaceSpace {
   Eigen::MatrixXd normalised(Eigen::MatrixXd first) const;
   void take_level();
   void add(FieldBasis& basis, const std::vector<Eigen::MatrixXd>& columns);
+  Eigen::MatrixXd exact_motions() const;
 
   const System& system_;
   double shift_;
   std::vector<bool> own_;
   Eigen::MatrixXd of_loads_;
-  FieldBases bases_;  ///< of all but the motions of the interface
-  Eigen::Index n_own_[2];
-  MomentTrain slow_, fast_;
+  MomentTrain slow_;
+  FieldBases bases_;                 ///< of all but the motions of the interface
+  Eigen::Index n_own_[2], n_exact_;  ///< unknowns that are coordinates; these of displacements with directions kept
+  MomentTrain fast_;
   CarriedMotions carried_;
   std::vector<MomentSeries> series_;
   std::unique_ptr<Projection> projection_;

@@ -71,7 +71,7 @@ Vector norm_weight(const SparseMatrix& T, const System& system, const Layout& la
 
 }  // namespace
 
-FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact) {
+FieldBases detail::empty_bases(const System& system, const SparseMatrix& T) {
   constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
   const Layout layout = layout_of(system);
   const Vector weight = norm_weight(T, system, layout);
@@ -84,14 +84,19 @@ FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::v
     basis->vectors.resize(basis->unit.size(), room);
     basis->layout = layout.of(basis->unknown);
   }
-  int n_coordinates = 0;
-  const auto keep = [&](int unknown) {
-    FieldBasis& basis = is_phi(system, unknown) ? bases.phi : bases.displacements;
-    const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
-    add_column(basis, Vector::Unit(basis.unit.size(), local), n_coordinates++);
-  };
-  for (int i = system.n_free(); i < system.size(); ++i) keep(i);
-  for (const int i : exact) keep(i);
+  return bases;
+}
+
+void detail::keep_unknown(const System& system, int unknown, FieldBases& bases) {
+  FieldBasis& basis = is_phi(system, unknown) ? bases.phi : bases.displacements;
+  const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
+  add_column(basis, Vector::Unit(basis.unit.size(), local), static_cast<int>(bases.displacements.n() + bases.phi.n()));
+}
+
+FieldBases exact_bases(const System& system, const SparseMatrix& T, const std::vector<int>& exact) {
+  FieldBases bases = detail::empty_bases(system, T);
+  for (int i = system.n_free(); i < system.size(); ++i) detail::keep_unknown(system, i, bases);
+  for (const int i : exact) detail::keep_unknown(system, i, bases);
   return bases;
 }
 

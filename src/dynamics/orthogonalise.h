@@ -27,4 +27,8 @@ inline void add_column(FieldBasis& basis, const Vector& column, int coordinate) 
   basis.coordinate.push_back(coordinate);
 }
 
+/// The parts of exact_bases(): bases without directions, and one unknown more that is kept.
+FieldBases empty_bases(const System& system, const SparseMatrix& T);
+void keep_unknown(const System& system, int unknown, FieldBases& bases);
+
 }  // namespace upbead::detail

@@ -4,6 +4,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/lanes.h"
+
 namespace upbead::detail {
 
 namespace {
@@ -57,6 +59,46 @@ void SymmetricPair::subtract_products(const Vector& v, const Vector& x, Vector& 
     products_[i] = even + odd;  // rows below have not added anything yet
   }
   for (std::size_t i = 0; i < n; ++i) f[static_cast<int>(i)] -= products_[i].sum();
+}
+
+namespace {
+
+template <int n>
+struct Doubles {
+  using Type __attribute__((vector_size(n * sizeof(double)))) = double;
+};
+
+/// Columns [first, first + n) of Y = A X, of n_columns each.
+template <int n>
+UPBEAD_IN_CLONES void multiply_some(const SparseMatrix& A, const double* X, int n_columns, int first, double* Y) {
+  using Values = typename Doubles<n>::Type;
+  const int *begin = A.outerIndexPtr(), *column = A.innerIndexPtr();
+  const double* value = A.valuePtr();
+  for (std::ptrdiff_t i = 0; i < A.rows(); ++i) {
+    Values sum{};
+    for (int q = begin[i]; q < begin[i + 1]; ++q) {
+      Values x;
+      std::memcpy(&x, X + std::ptrdiff_t{column[q]} * n_columns + first, sizeof x);
+      sum += value[q] * x;
+    }
+    std::memcpy(Y + i * n_columns + first, &sum, sizeof sum);
+  }
+}
+
+UPBEAD_CLONES void multiply(const SparseMatrix& A, const double* X, int n_columns, double* Y) {
+  int first = 0;
+  for (; first + 8 <= n_columns; first += 8) multiply_some<8>(A, X, n_columns, first, Y);
+  for (; first + 4 <= n_columns; first += 4) multiply_some<4>(A, X, n_columns, first, Y);
+  for (; first < n_columns; ++first) multiply_some<1>(A, X, n_columns, first, Y);
+}
+
+}  // namespace
+
+VectorBlock block_product(const SparseMatrix& A, const VectorBlock& X) {
+  if (!A.isCompressed()) return A * X;
+  VectorBlock Y(A.rows(), X.cols());
+  multiply(A, X.data(), static_cast<int>(X.cols()), Y.data());
+  return Y;
 }
 
 LowerTriangle::LowerTriangle(const SparseMatrix& A, const std::vector<Field>& field) : begin_{0} {

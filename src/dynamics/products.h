@@ -28,6 +28,9 @@ class SymmetricPair {
 /// A few vectors side by side, one per column, stored row by row so that a matrix is read once for all of them.
 using VectorBlock = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// A X.
+VectorBlock block_product(const SparseMatrix& A, const VectorBlock& X);
+
 /// Z^T J A Z, rows of J A summed over the unknowns of each field; J = -1 on phi, +1 elsewhere.
 struct FieldGrams {
   Eigen::MatrixXd displacement, relative_fluid, pressure;
