@@ -190,7 +190,7 @@ class OnItsMesh {
     constexpr double overtopping = 0.5, counts = 0.1;
     const double share = share_above(load.shape, high);
     const bool leaves_foot = load.shape.front()[0] > low + counts * (high - low);
-    if (load.over_x || share <= (leaves_foot ? counts : overtopping)) return;
+    if (load.over_x || load.along_curve || share <= (leaves_foot ? counts : overtopping)) return;
     list_.push_back({"implausible", share, leaves_foot ? counts : overtopping, "1",
                      "loads." + name + ".shape has " + percent(share) + " of its force above '" + load.boundary +
                          "', which reaches up to " + significant(high, 5) + " m: that part is left out",
