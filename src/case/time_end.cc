@@ -176,6 +176,7 @@ NumberedWarnings end_warnings(const Case& input, double end) {
 }
 
 NumberedWarnings answer_warnings(const Case& input, double end, double period) {
+  constexpr double rebound = 0.75;
   const Action* last = nullptr;
   double answered = end;
   for (const LoadSource* source : sources_of(input)) {
@@ -183,7 +184,7 @@ NumberedWarnings answer_warnings(const Case& input, double end, double period) {
     const Action& action = *source->action;
     const std::optional<double> from = begin_of(action);
     if (!from || *from >= end || rest_of(action, end).change > tolerable_cut) continue;  // told as load_zero, load_cut
-    const double until = std::min(end_of(action), last_peak_of(action) + period) + 0.5 * period;
+    const double until = std::min(end_of(action), last_peak_of(action) + period) + rebound * period;
     if (until <= answered) continue;
     answered = until;
     last = &action;
@@ -191,7 +192,7 @@ NumberedWarnings answer_warnings(const Case& input, double end, double period) {
   if (last == nullptr) return {};
   return {{"answer_cut", answered, end, "s",
            "the run ends at " + significant(end, 4) + " s, but the caisson swings with a period of about " +
-               significant(period, 3) + " s, so that it answers '" + last->name + "' most until " +
+               significant(period, 3) + " s, so that it answers '" + last->name + "' most, and rebounds, until " +
                significant(answered, 3) +
                " s: forces, pressures, margins and S may be larger after the end, and are not judged",
            "give time.end = " + significant(answered, 3) +

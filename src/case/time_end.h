@@ -38,7 +38,7 @@ NumberedWarnings end_warnings(const Case& input, double end);
 
 /// Warning answer_cut: the run ends before a section of that longest own period (s) has answered a load that is over
 /// by then. A pulse shorter than the period is answered most within half a period after it (Chopra, Dynamics of
-/// Structures, ch. 4).
+/// Structures, ch. 4), and the rebound comes half a period after that: 3/4 of a period after short pulses.
 NumberedWarnings answer_warnings(const Case& input, double end, double period);
 
 /// Whether the case leaves its end to the loads.

@@ -294,7 +294,8 @@ Finding base_finding() {
              "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
   };
   f.parts.emplace_back([](const Evidence& e, Summary& s) {
-    s.loads_elsewhere = e.simulation.compiled()->caisson && acts_elsewhere(e.simulation);
+    const std::optional<ShearResponse> response = find_shear(e.solution);
+    s.loads_elsewhere = response && acts_elsewhere(e.simulation, *response);
   });
   f.warnings = base_warnings;
   f.checks = base_checks;

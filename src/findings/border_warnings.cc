@@ -32,7 +32,7 @@ std::map<std::string, OuterBorder> borders_of(const Simulation& simulation) {
   std::map<std::string, OuterBorder> borders;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const auto region = simulation.scene().regions.find(mesh.surface_of(cell));
-    if (region == simulation.scene().regions.end()) continue;
+    if (region == simulation.scene().regions.end() || region->first == caisson_name) continue;
     for (const auto& face : cell->face_iterators()) {
       if (!face->at_boundary() || mesh.curve_of(face).empty()) continue;
       const double length = face->measure(), across = std::abs(face->vertex(1)[0] - face->vertex(0)[0]);
@@ -85,7 +85,8 @@ NumberedWarnings border_warnings(const Simulation& simulation) {
     const auto found = scene.boundaries.find(curve);
     const Boundary given = found == scene.boundaries.end() ? Boundary() : found->second;
     const bool bears = given.displacement != DisplacementCondition::free || given.spring || given.dashpot;
-    if (border.faces_down() && border.is_soil() && !bears && !is_moved(scene, curve))
+    const bool is_below = border.lowest < simulation.compiled()->caisson->bottom_centre[1];  // no deck on the caisson
+    if (border.faces_down() && border.is_soil() && is_below && !bears && !is_moved(scene, curve))
       list.push_back(about("base_free", curve, border.length,
                            "the lower border of the ground, is free: nothing bears the ground there, so that it floats "
                            "under the caisson, and what presses on it carries nothing",

@@ -278,7 +278,7 @@ OutputSchema<SlipCircles> circles_outputs() {
       .reason("why_not_computed", &C::why_not_computed, "why `computed` is null; null where it is there")
       .object("block", &C::block, block_outputs(),
               "a block that slips on a level plane between two wedges, at the moment and with the pressure of "
-              "`by`; null where none has a factor")
+              "`by`; null where none has a factor, and where the resultant leaves the base")
       .object("static_design", &C::static_design, circle_outputs(),
               "in the pressure of still water, under the loads as they act without motion: what a design without "
               "dynamics looks at; null where no circle has a factor")

@@ -13,7 +13,7 @@ namespace {
 
 /// What the parts of a scene's load are in its system.
 struct LoadPlace {
-  bool on_caisson = false, on_free = false, on_held = false, prescribes = false;
+  bool on_caisson = false, on_free = false, prescribes = false;
 };
 
 LoadPlace place_of(const Simulation& simulation, const std::string& name) {
@@ -27,7 +27,6 @@ LoadPlace place_of(const Simulation& simulation, const std::string& name) {
     place.on_caisson = place.on_caisson || on.force_x != 0. || on.force_y != 0. || on.moment != 0.;
     place.prescribes = place.prescribes || part.prescribed >= 0;
     place.on_free = place.on_free || !part.vector.head(system.n_free()).isZero(0.);
-    place.on_held = place.on_held || !part.vector.isZero(0.);
   }
   return place;
 }
@@ -40,12 +39,16 @@ void for_each_acting(const Scene& scene, const Visit& visit) {
 
 }  // namespace
 
-bool acts_elsewhere(const Simulation& simulation) {
+bool acts_elsewhere(const Simulation& simulation, const ShearResponse& response) {
+  constexpr double trifle = 0.2;  // of F_T: one wave's pressures on wall and bed belong together
+  const double P = std::max(response.peak_force, -response.peak_force_seaward),
+               F_T = std::max(response.peak_shear, -response.peak_shear_seaward);
   bool found = false;
   for_each_acting(simulation.scene(), [&](const std::string& name, const Load& load) {
-    found = found || is_motion(load.kind) || !place_of(simulation, name).on_caisson;
+    const std::string wave = name.substr(0, name.find('.'));  // of a part on a curve of mound or bed
+    found = found || is_motion(load.kind) || !place_of(simulation, wave).on_caisson;
   });
-  return found;
+  return found && P <= trifle * F_T;
 }
 
 bool loads_go_on(const Simulation& simulation) {

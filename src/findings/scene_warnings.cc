@@ -14,6 +14,7 @@
 #include "response/drainage.h"
 #include "response/ground_waves.h"
 #include "response/shear_response.h"
+#include "response/slip_law.h"
 #include "response/time_choice.h"
 #include "run/sliding/uplift.h"
 
@@ -238,8 +239,13 @@ NumberedWarnings uplift_warnings(const Simulation& simulation) {
   const double end = simulation.scene().time.end, peak = *uplift.peak;
   const TimeFunction P = force_on_caisson(*simulation.compiled());
   const double seen = extremum(prescribed_uplift(uplift, P, end), 0., end, 1).value;
-  const bool pushes = extremum(P, 0., end, 1).value > 0. || extremum(P, 0., end, -1).value < 0.;
-  if (!pushes || seen >= nearly_all * peak) return {};
+  const double landward = extremum(P, 0., end, 1).value, seaward = -extremum(P, 0., end, -1).value;
+  if (landward < 0.5 * seaward && !pushes_seaward_alone(landward, -seaward))
+    return {{"uplift_left_out", landward, seaward, "N/m",
+             "the prescribed uplift follows the landward force, of up to " + with_unit(landward, "N/m") +
+                 "; none acts with the seaward one of " + with_unit(seaward, "N/m"),
+             "give the uplift over time (sliding.uplift.history) where waves press on the landward wall"}};
+  if (!(landward > 0. || seaward > 0.) || seen >= nearly_all * peak) return {};
   return {
       {seen > 0. ? "load_cut" : "load_zero", uplift.lag, end, "s",
        "the prescribed uplift follows P by " + significant(uplift.lag) + " s, and the run ends at " + significant(end) +

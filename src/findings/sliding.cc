@@ -207,12 +207,12 @@ double lost_friction(const Summary& summary) {
   return summary.sliding->friction * summary.sliding->lift_of_loads;
 }
 
-std::string about_push(const Summary& summary) {
+std::string about_push(const Scene& scene, const Summary& summary) {
+  const std::string push = summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "";
+  if (is_shaken(scene)) return push + ", less mu times the change of N' by the caisson's vertical motion";
   const double lost = lost_friction(summary);
-  return std::string(summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "") +
-         (lost > 1e-9 * summary.sliding->history.resistance
-              ? ", and " + with_unit(lost, "N/m") + ", mu times the largest force of the loads upward"
-              : "");
+  if (lost <= 1e-9 * summary.sliding->history.resistance) return push;
+  return push + ", and " + with_unit(lost, "N/m") + ", mu times the largest force of the loads upward";
 }
 
 constexpr double no_force = 1e-6;  // of the largest P
@@ -245,11 +245,12 @@ Check friction_check(const Scene& scene, const Summary& summary, double side, co
                other_way = landward ? -r.peak_force_seaward : r.peak_force;
   const bool rebounds = that_way <= no_force * other_way && (!landward || other_way > 0.);
   if (!rebounds || summary.loads_elsewhere || is_shaken(scene) || !*check.holds) return check;
-  return not_checked(
-      check, std::string(landward ? "no load pushes the caisson landward"
-                                  : "no trough acts: no load pushes the caisson seaward") +
-                 ", and its rebound, " + with_unit(*check.demand, "N/m") + about_push(summary) + ", stays below mu W'" +
-                 (landward || summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
+  return not_checked(check,
+                     std::string(landward ? "no load pushes the caisson landward"
+                                          : "no trough acts: no load pushes the caisson seaward") +
+                         ", and its rebound, " + with_unit(*check.demand, "N/m") + about_push(scene, summary) +
+                         ", stays below mu W'" +
+                         (landward || summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
 /// A distance that is no more than the way till the end of the run may be too much already, but is never little enough.
@@ -286,7 +287,8 @@ Checks sliding_checks(const Scene& scene, const Summary& summary) {
   append(list, checks_on_the_way(scene, sliding.design, uplift));
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
-      (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
+      (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") +
+      about_push(scene, summary);
   list.push_back(friction_check(scene, summary, 1., of_bonded));
   list.push_back(friction_check(scene, summary, -1., of_bonded));
   for (Check& check : list) check.has_rival = true;
