@@ -85,6 +85,7 @@ NumberedWarnings implausible_numbers(const Design& design) {
            design_schema().visit_numbers(tables, "", visitor);
          }));
   append(list, implausible_section(tables.section, tables.water));
+  append(list, implausible_distributions(tables));
   const double h = tables.section.water_depth;
   Quantity height = quantities::wave_height;  // a wave of three times the depth has broken long before
   height.high = 3. * h;

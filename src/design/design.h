@@ -68,6 +68,11 @@ struct NamedScatter {
 };
 const std::vector<NamedScatter>& named_scatters();
 
+/// Warnings implausible of what is random: a mean far from a factor of 1, or from the design's number; a deviation
+/// above the mean; a cut that takes away more than half; a rise of still water out of the section; a sea without high
+/// waves.
+NumberedWarnings implausible_distributions(const DesignTables& tables);
+
 /// Tables without mistakes as distributions.
 Uncertainties uncertainties(const ScatterTables& tables);
 

@@ -215,12 +215,14 @@ std::vector<SectionLimitState> states_of(const Work& work) {
   return states;
 }
 
-/// Warning implausible: a mean that is far from the number of the design was given in another unit.
+/// Warning implausible: a mean that is far from the number of the model was given in another unit; others than those of
+/// soils are in Design::implausible.
 NumberedWarnings far_from_design(const DesignTables& tables) {
   constexpr double far = 30., near = 3.;
   NumberedWarnings list;
   for (const auto& [name, variable] : tables.reliability->variables)
-    if (const double own = certain_value(tables, variable.acts_on).value_or(0.); variable.mean && own > 0.)
+    if (const double own = certain_value(tables, variable.acts_on).value_or(0.);
+        is_of_soil(variable.acts_on) && variable.mean && own > 0.)
       judge("reliability.variables." + name + ".mean", variable.mean,
             {"1",
              own / far,

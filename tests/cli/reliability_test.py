@@ -59,6 +59,18 @@ class Reliability(ProgramTest):
         self.assertIn("reliability.variables.friction.mean = 63.6 is more than is ever found", done.stderr)
         self.assertNotIn("implausible", self.summary(*QUICK)[1].stderr)
 
+    def test_distributions_in_another_unit_are_told(self):
+        for setting, words in (
+            ("reliability.variables.friction.mean=6.36", "friction.mean = 6.36 is more than is ever found"),
+            ("reliability.variables.goda.mean=0.091", "goda.mean = 0.091 is less than is ever found (0.4; it is a factor"),
+            ("reliability.variables.goda.cov=17", "if it was meant in percent, write 0.17"),
+            ("reliability.variables.height.high=5", "height.high = 5 is below the mean, 6.5: more than half"),
+            ("reliability.variables.rise={ acts_on = 'water_level', mean = 12, deviation = 0.5 }", "above the crest"),
+        ):
+            done = self.summary(*QUICK, "--set", setting, "--set", "reliability.methods=['form']")[1]
+            self.assertIn("warning: implausible", done.stderr)
+            self.assertIn(words, " ".join(done.stderr.split()))
+
     def test_what_it_writes_runs_again(self):
         first = self.summary(*QUICK)[0]["modes"]
         self.assertEqual(first, self.summary(design=self.folder / "out/case.toml", out="again")[0]["modes"])

@@ -139,6 +139,19 @@ class Units(ProgramTest):
         for setting, meant in DESIGN:
             self.check_design((CASES / "design-wave/section.toml").read_text(), setting, meant)
 
+    def test_of_what_scatters(self):
+        text = (CASES / "designer/design.toml").read_text() + "\n[life]\nyears = 50\nsimulated_lives = 20\n"
+        (self.folder / "storms.csv").write_text((CASES / "designer/storms.csv").read_text())
+        self.assertEqual(self.told(text, "scatter.friction={ mean = 1.06, cov = 0.16, low = 0.2 }",
+                                   "scatter.force={ kind = 'uniform', low = 0.7, high = 1.1 }", "sea.highest=1.8", command="expected"), {})
+        for setting, key, meant in (("scatter.friction={ mean = 106, cov = 0.16, low = 1 }", "scatter.friction.mean", "in percent, write 1.06"),
+                                    ("scatter.force={ mean = 0.091, cov = 0.17, low = 0.02 }", "scatter.force.mean", "it is a factor"),
+                                    ("scatter.weight={ kind = 'uniform', low = 90, high = 110 }", "the", "in percent, write 1"),
+                                    ("sea.highest=1", "sea.highest", "the highest of a hundred waves")):
+            with self.subTest(setting=setting):
+                found = self.told(text, setting, command="expected")
+                self.assertIn(meant, found[key])
+
     def test_of_given_forces(self):
         for setting, meant in GIVEN:
             text = (CASES / "design-wave/section.toml").read_text() + "force = 2e6\n[ground]\nstiffness = 1e8\n"
