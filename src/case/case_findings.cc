@@ -125,10 +125,17 @@ double uplift_of_waves(const Case& input) {
   return largest;
 }
 
+/// Least T (s) of the loads by waves.
+double period_of_waves(const Case& input) {
+  double least = infinity;
+  for (const WaveLoad* wave : acting_waves(input)) least = std::min(least, wave->wave.period);
+  return least;
+}
+
 /// Warning uplift_differs: beside a load by a wave the case prescribes an uplift that is smaller than the wave's own,
 /// or comes after its force.
 NumberedWarnings warnings_of_other_uplift(const Case& input) {
-  constexpr double as_large = 0.8;
+  constexpr double as_large = 0.8, at_once = 0.02;  // of a period
   const auto& sliding = input.scene.sliding;
   const Node* kind = input.document.find("sliding.uplift.kind");
   const std::string* word = kind ? std::get_if<std::string>(&kind->value) : nullptr;
@@ -137,8 +144,8 @@ NumberedWarnings warnings_of_other_uplift(const Case& input) {
   const UpliftChoice& uplift = *sliding->uplift;
   const double of_waves = uplift_of_waves(input), end = input.scene.time.end,
                given = uplift.peak ? *uplift.peak : extremum(uplift.history, 0., end, 1).value;
-  const bool is_small = given < as_large * of_waves;
-  if (!(of_waves > 0.) || !uplift.parts.empty() || !(is_small || uplift.lag > 0.)) return {};
+  const bool is_small = given<as_large * of_waves, is_late = uplift.lag> at_once * period_of_waves(input);
+  if (!(of_waves > 0.) || !uplift.parts.empty() || !(is_small || is_late)) return {};
   return {{"uplift_differs", given, of_waves, "N/m",
            "the prescribed uplift " +
                (is_small ? "has a peak of " + with_unit(given, "N/m") + ", the wave by its own formula " +

@@ -152,7 +152,8 @@ NumberedWarnings warnings_of_pores(const Evidence& e, const SlidingSummary& slid
   return {{"uplift_left_out", U, counts * sliding.submerged_weight, "N/m",
            "the pore pressure under the base lifts the caisson with up to " + with_unit(U, "N/m") +
                ", and [sliding] has no uplift: force against friction and S by eq. (4) leave it out",
-           "write sliding.uplift = { kind = \"computed\" }"}};
+           "write sliding.uplift = { kind = \"computed\" }",
+           sliding.history.peak_force + sliding.friction * U > sliding.history.resistance}};
 }
 
 /// Warning bottom_not_level: friction, S and pressures are those of a level bottom.

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "base/text.h"
+#include "fem/compile.h"
 #include "findings/topics.h"
 #include "output/limits.h"
 #include "response/compaction.h"
@@ -10,6 +11,27 @@
 namespace upbead {
 
 namespace {
+
+/// Largest difference from where a motion ends.
+double moved(double end, const std::array<double, 2>& range) {
+  return std::max(range[1] - end, end - range[0]);
+}
+
+double moved_x(const ResidualSummary& r) {
+  return moved(r.displacement_x, r.range_x);
+}
+
+double moved_y(const ResidualSummary& r) {
+  return moved(r.displacement_y, r.range_y);
+}
+
+double moved_rotation(const ResidualSummary& r) {
+  return moved(r.rotation, r.range_rotation);
+}
+
+double farthest(const std::array<double, 2>& range) {
+  return std::max(std::abs(range[0]), std::abs(range[1]));
+}
 
 OutputSchema<ResidualSummary> residual_outputs() {
   using R = ResidualSummary;
@@ -22,12 +44,12 @@ OutputSchema<ResidualSummary> residual_outputs() {
       .key("pore_pressure", left, "Pa",
            "excess pore pressure of largest magnitude in the soil at the end; null where no soil has pore water")
       .key("pore_pressure_at[]", left_at, "m", "where that is; null with it")
-      .key("moved_x", &R::moved_x, "m",
+      .key("moved_x", moved_x, "m",
            "largest difference of `displacement_x` in the last fifth of the run from its value at the end: about 0 "
            "where "
            "the motion has ended")
-      .key("moved_y", &R::moved_y, "m", "the same of `displacement_y`")
-      .key("moved_rotation", &R::moved_rotation, "rad", "the same of `rotation`");
+      .key("moved_y", moved_y, "m", "the same of `displacement_y`")
+      .key("moved_rotation", moved_rotation, "rad", "the same of `rotation`");
 }
 
 OutputSchema<StartBound> bound_outputs() {
@@ -150,12 +172,12 @@ SkippedList skipped_estimate(const Simulation& simulation, bool) {
   return {{"estimate of errors", "the soil yields, and errors are estimated of linear soil alone"}};
 }
 
-/// A check that holds where the motion ends, but would not by where it was in the last fifth of the run, has judged a
-/// moment of a swing.
-Check at_rest(const Check& check, double moved) {
-  if (!check.holds || !*check.holds || *check.demand + moved <= *check.capacity) return check;
-  return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it still moved by " +
-                                with_unit(moved, check.unit) + ", which would exceed the limit");
+/// A check that holds where the motion ends, but did not at `worst` in the last fifth of the run, has judged a moment
+/// of a swing.
+Check at_rest(const Check& check, double worst) {
+  if (!check.holds || !*check.holds || worst <= *check.capacity) return check;
+  return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it was at " +
+                                with_unit(worst, check.unit) + ", beyond the limit");
 }
 
 /// Sand that packs denser settles on while its water drains.
@@ -192,7 +214,7 @@ Check displacement_check(const Summary& summary, const Limits& limits) {
                        slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
               limits, &Limits::sliding);
   const bool ends = !design || design->why_not_all.empty() || (check.holds && !*check.holds);
-  return ends ? at_rest(check, summary.residual->moved_x) : not_checked(check, design->why_not_all);
+  return ends ? at_rest(check, farthest(summary.residual->range_x) + slip) : not_checked(check, design->why_not_all);
 }
 
 /// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
@@ -212,30 +234,33 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
   const Check settled =
                   check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
               tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
-  return {
-      displacement_check(summary, scene.limits),
-      drained(at_rest(held_to(settled, scene.limits, &Limits::settlement), worst([](const R& r) { return r.moved_y; })),
-              summary.densification),
-      at_rest(held_to(tilted, scene.limits, &Limits::tilt), worst([](const R& r) { return r.moved_rotation; }))};
+  return {displacement_check(summary, scene.limits),
+          drained(at_rest(held_to(settled, scene.limits, &Limits::settlement),
+                          worst([](const R& r) { return std::max(-r.range_y[0], 0.); })),
+                  summary.densification),
+          at_rest(held_to(tilted, scene.limits, &Limits::tilt),
+                  worst([](const R& r) { return farthest(r.range_rotation); }))};
 }
 
 /// Warning still_moves: the caisson is not yet where it will stay.
-NumberedWarnings rest_warnings(const Summary& summary) {
-  constexpr double at_rest = 0.1;  // of a residual
+NumberedWarnings rest_warnings(const Evidence& e, const Summary& summary) {
+  constexpr double share = 0.1, least_turn = 1e-5;  // of a residual; what nobody sees: rad, and of B
   if (!summary.residual) return {};
   const ResidualSummary& r = *summary.residual;
+  const double least = least_turn * e.simulation.compiled()->caisson->bottom_width;
   NumberedWarnings list;
-  const auto see = [&](const std::string& what, const std::string& unit, double value, double moved, double least) {
-    if (!list.empty() || moved <= std::max(at_rest * std::abs(value), least)) return;
-    list.push_back({"still_moves", moved, at_rest * std::abs(value), unit,
-                    "in the last fifth of the run the caisson still moved by " + with_unit(moved, unit) + " " + what +
+  const auto see = [&](const std::string& what, const std::string& unit, double value, double still, double limit) {
+    if (!list.empty() || still <= limit) return;
+    list.push_back({"still_moves", still, limit, unit,
+                    "in the last fifth of the run the caisson still moved by " + with_unit(still, unit) + " " + what +
                         ", where it ends with " + with_unit(value, unit) +
                         ": what is told as residual is a moment of that",
                     "let the run end later (time.end)"});
   };
-  see("horizontally", "m", r.displacement_x, r.moved_x, 1e-4);  // less is none to anybody: 0.1 mm, 1e-5 rad
-  see("vertically", "m", r.displacement_y, r.moved_y, 1e-4);
-  see("in tilt", "rad", r.rotation, r.moved_rotation, 1e-5);
+  const auto limit = [&](double value, double not_seen) { return std::max(share * std::abs(value), not_seen); };
+  see("horizontally", "m", r.displacement_x, moved_x(r), limit(r.displacement_x, least));
+  see("vertically", "m", r.displacement_y, moved_y(r), limit(r.displacement_y, least));
+  see("in tilt", "rad", r.rotation, moved_rotation(r), limit(r.rotation, least_turn));
   return list;
 }
 
@@ -274,9 +299,9 @@ Finding yielding_finding() {
         .object("residual", &Summary::residual, residual_outputs(),
                 "where the caisson came to rest at the end of the run; null where no soil yields");
   };
-  f.warnings = [](const Evidence&, const Summary& summary) {
+  f.warnings = [](const Evidence& e, const Summary& summary) {
     NumberedWarnings list = yielding_warnings(summary);
-    append(list, rest_warnings(summary));
+    append(list, rest_warnings(e, summary));
     return list;
   };
   f.skipped_of_scene = skipped_estimate;

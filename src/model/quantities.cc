@@ -72,15 +72,15 @@ double inverse(double value) {
 // From mud (G_max 1e5 to 1e6) to steel (8e10). Sand and gravel under 10 to 500 kPa: Hardin and Richart (1963), Seed and
 // Idriss (1970), 1e7 to 3e8.
 const Quantity modulus{"Pa", 1e4, 1e12, 1e6, 3e11, pascals, "sand has 1e7 to 3e8"};
-// Concrete and its fill, steel.
-const Quantity caisson_modulus{"Pa", 1e9, 1e12, 5e9, 3e11, pascals, "concrete has 3e10"};
+// Concrete and its fill, steel; cells smeared over a section, timber.
+const Quantity caisson_modulus{"Pa", 1e8, 1e12, 5e9, 3e11, pascals, "concrete has 3e10"};
 // As a share of the weight of the soil above its base, rho' g H: G_max/sigma' of clays is 100 and more, of sands 500
 // and more (Hardin and Black 1968); secant moduli at failure are ten times sigma'.
 const Quantity soil_modulus{"Pa", 1e4, 1e12, 1e6, 3e9, pascals, "sand has 1e7 to 3e8"};
 // Light fills (cellular concrete 400, wood 500) to steel 7850 and lead 11,300.
 const Quantity density{"kg/m3", 400., 2e4, 1e3, 8e3, of_weight, "caissons with fill have 1800 to 2400"};
-// Gypsum to iron ore; quartz 2650: Lambe and Whitman (1969), table 3.1. Soils have less in bulk.
-const Quantity grain_density{"kg/m3", 2000., 8e3, 2e3, 5e3, of_weight, "quartz has 2650"};
+// Coal, light aggregates to iron ore; quartz 2650: Lambe and Whitman (1969), table 3.1. Soils have less in bulk.
+const Quantity grain_density{"kg/m3", 1700., 8e3, 2e3, 5e3, of_weight, "quartz has 2650"};
 // Fresh water 998, sea water 1020 to 1030, brine up to 1300.
 const Quantity water_density{"kg/m3", 900., 1300., 990., 1050., of_weight, "sea water has 1030"};
 // 2.2e9; with some percent of air 1e7 (Verruijt 1969), for which there is `saturation`.

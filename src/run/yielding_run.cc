@@ -37,9 +37,10 @@ bool wants_bounds(const Scene& scene) {
   return has_start(scene) && (!scene.initial || scene.initial->bounds);
 }
 
-/// Where a motion ends, and how far it was from there in the last part of the run.
+/// Where a motion ends, and between what it was in the last part of the run.
 struct MotionAtEnd {
-  double value = 0., moved = 0.;
+  double value = 0.;
+  std::array<double, 2> range{0., 0.};
 };
 
 MotionAtEnd at_end(const CompiledScene& compiled, const Response& response, const char* reading) {
@@ -47,9 +48,9 @@ MotionAtEnd at_end(const CompiledScene& compiled, const Response& response, cons
   const std::vector<double>& time = response.ends.time;
   const auto row = response.ends.reading.row(compiled.system.reading(reading));
   auto t = static_cast<Eigen::Index>(time.size()) - 1;
-  MotionAtEnd end{row[t]};
+  MotionAtEnd end{row[t], {row[t], row[t]}};
   for (const double from = (1. - last_part) * time.back(); t >= 0 && time[static_cast<std::size_t>(t)] >= from; --t)
-    end.moved = std::max(end.moved, std::abs(row[t] - end.value));
+    end.range = {std::min(end.range[0], row[t]), std::max(end.range[1], row[t])};
   return end;
 }
 
@@ -60,8 +61,8 @@ ResidualSummary residual(const Simulation& simulation, const Response& response)
                     rotation = at_end(compiled, response, "caisson/rotation");
   return {x.value,        y.value,
           rotation.value, pore_pressure_left(*simulation.space(), *simulation.unknowns(), response.final_state),
-          x.moved,        y.moved,
-          rotation.moved};
+          x.range,        y.range,
+          rotation.range};
 }
 
 /// Share of the area of soil that may yield in which cells lost energy: more than round-off of the mean over the area.

@@ -108,6 +108,8 @@ end = 0.8
         for levels in ("{ water_level = 15, harbour_level = 10 }", "{ water_level = 13 }"):
             told = self.ask("explain", SEA, *sides, f"initial={levels}", text=base)["warnings"]
             self.assertIn("harbour_level", {warning["name"] for warning in told}, levels)
+        self.assertNotIn("sea_sealed", self.names(SEA, *sides, text=base))
+        self.assertIn("sea_sealed", self.names(SEA, *sides, 'boundaries.sea_surface.pressure="sealed"', text=base))
 
     def test_limits_that_nothing_judges_are_not_checked(self):
         found = self.ask("run", "limits={ sliding_factor = 1.2, lives_beyond = 0.1 }")
@@ -144,6 +146,27 @@ end = 0.8
             found = self.ask("run", *settings, "limits.overturning=1.2")
             self.assertIn(name, {warning["name"] for warning in found["warnings"]})
             self.assertIsNone(found["verdict"]["holds"])
+
+    def test_a_ground_that_shakes_vertically_takes_friction_away(self):
+        """Twice: N' is less by the weight's acceleration, so that the force which it must bear is more."""
+        base = SECTION.split("[loads.impulse]")[0] + "[time]\nend = 1.5\n" + SLIDING
+        shake = 'boundary = "base", kind = "acceleration", pulse = { shape = "half_sine", peak = %g, duration = 0.4 }'
+        across = f"loads.across={{ {shake % 1.0}, direction = [1, 0] }}"
+        demand = []
+        for more in ([], [f"loads.down={{ {shake % -3.0}, direction = [0, 1] }}"]):
+            sliding = self.ask("run", across, *more, text=base)["sliding"]
+            demand.append(max(sliding["peak_force_on_normal"], sliding["peak_force_seaward_on_normal"]))
+            plain = max(sliding["peak_sliding_force"], sliding["peak_sliding_force_seaward"])
+        self.assertGreater(demand[1], 1.1 * max(demand[0], plain))
+
+    def test_soil_that_still_moves_is_not_judged(self):
+        law = [part for name, angle in (("seabed", 35), ("mound", 40)) for part in (
+            f"regions.{name}.law=mohr_coulomb", f"regions.{name}.strength={{ friction_angle = {angle}, cohesion = 2e4 }}")]
+        found = self.ask("run", *law, "initial.water_level=15", "loads.impulse.pulse.peak=3e6", "time.end=0.3")
+        residual = found["residual"]
+        least = max(1e-5 * 18, 0.1 * abs(residual["displacement_x"]))
+        self.assertEqual(residual["moved_x"] > least, "still_moves" in {warning["name"] for warning in found["warnings"]})
+        self.assertGreater(residual["moved_x"], least)
 
     def test_a_rebound_is_no_check_of_the_landward_direction(self):
         for way, why in (("[1, 0]", False), ("[-1, 0]", True)):

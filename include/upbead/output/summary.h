@@ -246,8 +246,8 @@ struct ResidualSummary {
   double displacement_x = 0., displacement_y = 0.;  ///< of the centre of gravity, landward and upward (m)
   double rotation = 0.;                             ///< rad
   std::optional<PorePressureLeft> pore_pressure;    ///< in the soil; none where it has no pore water
-  /// Largest differences of these in the last fifth of the run from where they end (m, m, rad).
-  double moved_x = 0., moved_y = 0., moved_rotation = 0.;
+  /// Least and largest of these in the last fifth of the run (m, m, rad).
+  std::array<double, 2> range_x{0., 0.}, range_y{0., 0.}, range_rotation{0., 0.};
 };
 
 /// The result with another start of hysteretic soil.
