@@ -127,7 +127,7 @@ double uplift_of_waves(const Case& input) {
 
 /// Least T (s) of the loads by waves.
 double period_of_waves(const Case& input) {
-  double least = infinity;
+  double least = upbead::infinity;
   for (const WaveLoad* wave : acting_waves(input)) least = std::min(least, wave->wave.period);
   return least;
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fem/compile.h"
-#include "upbead/dynamics/time_grid.h"
+#include "response/load_step.h"
 
 namespace upbead {
 
@@ -21,20 +21,6 @@ struct SchemeChoice {
 /// A reduced model where it takes less work than marching and gives all that the case asks for; a scheme that the
 /// case states is always kept.
 SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled);
-
-/// The step as far as it depends on the loads alone.
-struct LoadStep {
-  double largest_step = 0.;          ///< s
-  double duration = 0.;              ///< the shortest of the loads (s)
-  std::string load;                  ///< the load with that duration; "" where it is the span of the run
-  bool lone_jump = false;            ///< there is only a jump, which has no duration: a 20th of the end replaces it
-  std::optional<StepGrowth> growth;  ///< in consolidation, once the loads keep their values: up to a 50th of the end
-};
-
-/// A fraction of the loads' shortest duration, by the tolerance on peak F_T and the order of the scheme; measured in
-/// docs/performance.md. Where a load jumps, the duration is the shortest of those stated and of twice the least
-/// distance of two kinks (of any load).
-LoadStep step_of_loads(const Scene& scene, int order);
 
 struct StepChoice {
   double largest_step = 0.;          ///< s

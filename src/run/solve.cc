@@ -38,15 +38,6 @@ std::size_t n_kinks(const Scene& scene) {
   return n;
 }
 
-/// Steps with contact, as a multiple of those of other schemes of order 2: its stages are a quarter of a step. A 32nd
-/// of the duration makes S and peak F_T wrong by less than 0.5 %: docs/slip.md.
-constexpr double contact_step = 2.;
-/// Number of these steps that are taken as one by order 4 while no node moves: an 8th of the duration, the step of
-/// order 4 without contact; both at a tolerance of 0.5 %. For a larger tolerance, steps of order 4 grow less.
-int contact_leap(double tolerance) {
-  return static_cast<int>(4. * std::min(1., std::pow(tolerance / 0.005, 1. / 4. - 1. / 2.)));
-}
-
 /// Per independent load, where the case asks for a reduced model: twice as many as where a march would do as well.
 constexpr int most_vectors_by_name = 200;
 

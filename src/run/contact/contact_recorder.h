@@ -8,7 +8,7 @@
 
 #include "dynamics/contact.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/run/simulation.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 
@@ -128,13 +128,5 @@ class ContactRecorder : public MarchObserver {
   ContactHistory history_;
   std::vector<std::array<double, 2>> closing_;  ///< speed at which the ends come down (m/s)
 };
-
-/// What the nodes did; friction, weight and demand are those of the whole solution.
-inline ContactSolution followed_by(const ContactRecorder& recorder) {
-  ContactSolution out;
-  out.found.solved = recorder.summary();
-  out.history = recorder.history();
-  return out;
-}
 
 }  // namespace upbead

@@ -6,6 +6,7 @@
 
 #include "dynamics/basis.h"
 #include "response/time_choice.h"
+#include "run/contact/contact_recorder.h"
 #include "run/contact/reduced_ground.h"
 
 namespace upbead {
@@ -24,5 +25,13 @@ struct ContactRoom {
   std::unique_ptr<ReducedGround> ground;
   KnownPeriods periods;
 };
+
+/// What the nodes did; friction, weight and demand are those of the whole solution.
+inline ContactSolution followed_by(const ContactRecorder& recorder) {
+  ContactSolution out;
+  out.found.solved = recorder.summary();
+  out.history = recorder.history();
+  return out;
+}
 
 }  // namespace upbead

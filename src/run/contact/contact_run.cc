@@ -12,6 +12,7 @@
 #include "dynamics/gap_water.h"
 #include "fem/compile.h"
 #include "fem/static_stage.h"
+#include "run/contact/contact_demand.h"
 #include "run/contact/contact_recorder.h"
 #include "run/contact/contact_room.h"
 #include "run/contact/reduced_ground.h"
@@ -92,35 +93,6 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface,
   if (!room.rest || level != room.rest_level) room.rest = rest_forces(simulation, interface);
   room.rest_level = level;
   return *room.rest;
-}
-
-/// Rows of shear and normal force alternate, node by node, as bonded() appends them; they are without the uplift.
-void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
-          BondedDemand& demand) {
-  const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
-  const auto forces = series.reading.bottomRows(2 * n).leftCols(columns);
-  const double error = margin * forces.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double rest = interface.normal_force[i];
-    for (Eigen::Index t = 0; t < columns; ++t) {
-      double N = rest + forces(2 * i + 1, t);
-      for (const UpliftLoad& load : uplift) N -= load.node[i] * load.pressure(series.time[static_cast<std::size_t>(t)]);
-      const double T = std::abs(forces(2 * i, t));
-      demand.slip = std::max(demand.slip, N > 0. ? T / (interface.friction * N) : infinity);
-      demand.least_normal = std::min(demand.least_normal, N / rest);
-      demand.reached = demand.reached || T + error >= interface.friction * (N - error);
-    }
-  }
-}
-
-/// The demand on contact in a response of bonded(system, true), `system` with the interface; the forces may be wrong
-/// by `margin` of their largest value over all nodes.
-BondedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
-                            double margin) {
-  BondedDemand demand{0., 1., margin, false};
-  look(*system.interface, uplift, response.ends, margin, demand);
-  look(*system.interface, uplift, response.balanced, margin, demand);
-  return demand;
 }
 
 /// The prescribed pressure pushes both bodies apart: it does work on the openings alone, and reduces N'.
@@ -270,33 +242,46 @@ Simulation with_tied(const Simulation& simulation, const std::shared_ptr<Compile
 
 }  // namespace
 
-Solution run_contact(const Simulation& simulation, const Marching& marching) {
-  const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled());
-  System& system = sliding->system;
-  const int n_nodes = system.interface->n_nodes();
-  const std::shared_ptr<ContactRoom> room = contact_room(simulation);
-  const Ladder at_rest = set_at_rest(simulation, *system.interface, *room);
-  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
+BondedContact solve_bonded(const Simulation& simulation, const Marching& marching) {
+  BondedContact out;
+  out.sliding = std::make_shared<CompiledScene>(*simulation.compiled());
+  out.room = contact_room(simulation);
+  const System& system = out.sliding->system;
+  out.at_rest = set_at_rest(simulation, *out.sliding->system.interface, *out.room);
+  out.uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled());
   tied->system = bonded(system, true);
-  const Simulation bonded = with_tied(simulation, tied, *room);
+  const Simulation bonded = with_tied(simulation, tied, *out.room);
   ObserverFunction reported = progress_observer(marching.beside);
   Marching silent;
   silent.observers = {&reported};
   silent.beside = marching.beside;
   const bool soil_yields = yields(simulation.scene());
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
-  Solution before = soil_yields ? run_yielding(bonded, silent, {}, false) : run_bonded(bonded, silent);
-  const double margin = before.reduction ? before.reduction->error_of_others : 0.;
+  out.solution = soil_yields ? run_yielding(bonded, silent, {}, false) : run_bonded(bonded, silent);
+  out.margin = out.solution.reduction ? out.solution.reduction->error_of_others : 0.;
+  out.tied = tied;
+  out.solution.simulation = std::make_shared<const Simulation>(bonded);
+  return out;
+}
+
+Solution run_contact(const Simulation& simulation, const Marching& marching) {
+  BondedContact at_first = solve_bonded(simulation, marching);
+  const std::shared_ptr<CompiledScene>& sliding = at_first.sliding;
+  const std::shared_ptr<ContactRoom>& room = at_first.room;
+  const std::vector<UpliftLoad>& uplift = at_first.uplift;
+  System& system = sliding->system;
+  const int n_nodes = system.interface->n_nodes();
+  const bool soil_yields = yields(simulation.scene());
+  Solution before = std::move(at_first.solution);
   ContactSummary found{system.interface->friction,
                        system.interface->normal_force.sum(),
                        n_nodes,
-                       contact_demand(system, uplift, before.response, margin),
+                       contact_demand(*system.interface, uplift, before.response, at_first.margin),
                        {}};
-  before = without_node_forces(std::move(before), n_nodes, tied->system);
+  before = without_node_forces(std::move(before), n_nodes, at_first.tied->system);
   const bool bonded_reduced = before.reduction.has_value();
-  before.simulation = std::make_shared<const Simulation>(bonded);
-  before.ladder = joined(at_rest, before.ladder);
+  before.ladder = joined(at_first.at_rest, before.ladder);
   add_loads(uplift, system);
   system.interface->gap = gap_water(simulation, uplift);
   // with other starts of yielding soil nodes may slip, though they do not with this one

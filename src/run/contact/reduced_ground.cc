@@ -18,6 +18,7 @@
 #include "response/reduction.h"
 #include "run/contact/contact_recorder.h"
 #include "run/contact/contact_room.h"
+#include "run/contact/ground_errors.h"
 #include "run/derived.h"
 #include "run/monitors.h"
 #include "upbead/base/error.h"
@@ -26,14 +27,6 @@ namespace upbead {
 
 namespace {
 
-/// Differences of nested models, which are about the error of the smaller one, count so many times: see
-/// docs/reference/methods.md. Of S and of the peak, in which two models may agree by chance, at least this share of the
-/// largest difference of F_T at any time is told.
-constexpr double margin = 5., least_share = 0.25;
-/// Of the largest slip: what the patch around the base may cost, which all levels share; 0.12 % was seen.
-constexpr double of_patch = 2e-3;
-/// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
-constexpr double of_history = 10.;
 /// Of the largest reading of its unit: a reading below is zero.
 constexpr double round_off = 1e-6;
 /// Vectors of the bonded caisson's model, per independent load, of which the ground begins.
@@ -89,21 +82,6 @@ ContactAnswer answer_of(const Simulation& simulation, const ReducedGround::Level
   return answer;
 }
 
-/// The largest difference of each reading at the times that both answers have: all but where one of them leapt.
-Eigen::VectorXd differences(const Series& fine, const Series& coarse) {
-  Eigen::VectorXd largest = Eigen::VectorXd::Zero(fine.reading.rows());
-  std::size_t j = 0, shared = 0;
-  for (std::size_t i = 0; i < fine.time.size(); ++i) {
-    while (j + 1 < coarse.time.size() && coarse.time[j] < fine.time[i] - 1e-9) ++j;
-    if (std::abs(coarse.time[j] - fine.time[i]) > 1e-9) continue;
-    ++shared;
-    largest = largest.cwiseMax(
-        (fine.reading.col(static_cast<Eigen::Index>(i)) - coarse.reading.col(static_cast<Eigen::Index>(j))).cwiseAbs());
-  }
-  if (2 * shared < fine.time.size()) throw NumericsError("nested models of the ground were marched at other times");
-  return largest;
-}
-
 /// Of all readings but F_T, over their own peaks; one that is round-off beside others of its unit has
 /// none.
 void find_inexact(const System& system, const Eigen::VectorXd& apart, const Eigen::VectorXd& peak,
@@ -114,7 +92,7 @@ void find_inexact(const System& system, const Eigen::VectorXd& apart, const Eige
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     if (peak[row] <= round_off * largest[system.readings[i].unit]) continue;
-    const double error = margin * apart[row] / peak[row];
+    const double error = margin_of_ground * apart[row] / peak[row];
     const std::string name = system.readings[i].name.text();
     if (name == reading::shear_force) continue;
     ground.others = std::max(ground.others, error);
@@ -127,7 +105,7 @@ void find_inexact_pressure(const Monitors& fine, const Monitors& coarse, Contact
   if (!fine.pressure || !fine.pressure->has_seen()) return;
   const double excess = std::abs(fine.pressure->excess());
   if (excess == 0.) return;
-  const double error = margin * std::abs(fine.pressure->value() - coarse.pressure->value()) / excess;
+  const double error = margin_of_ground * std::abs(fine.pressure->value() - coarse.pressure->value()) / excess;
   ground.others = std::max(ground.others, error);
   if (error > ground.tolerance_of_others) ground.inexact.push_back({"the least pressure of the water", error});
 }
@@ -138,27 +116,14 @@ ContactGround difference(const System& system, const ContactAnswer& fine, const 
   const Series &ends = fine.solution.response.ends, &before = coarse.solution.response.ends;
   const Eigen::VectorXd apart = differences(ends, before), peaks = ends.reading.cwiseAbs().rowwise().maxCoeff();
   const Eigen::Index row = system.reading(reading::shear_force);
-  const auto shear = ends.reading.row(row), other = before.reading.row(row);
-  const double peak =
-      std::max(std::abs(shear.maxCoeff() - other.maxCoeff()), std::abs(shear.minCoeff() - other.minCoeff()));
-  const double history = peaks[row] > 0. ? apart[row] / peaks[row] : 0.;
-  const double slip = std::abs(fine.solution.contact->found.solved->largest_slip);
-  ContactGround ground;
-  ground.slip = std::max({margin * std::abs(fine.slip - coarse.slip), least_share * history * slip, of_patch * slip});
-  ground.peak_shear = peaks[row] > 0. ? std::max(margin * peak / peaks[row], least_share * history) : 0.;
-  ground.history = margin * history;
+  ContactGround ground = ground_errors({ends.reading.row(row), *fine.solution.contact->found.solved},
+                                       {before.reading.row(row), *coarse.solution.contact->found.solved}, apart[row]);
   ground.tolerance_of_others = of_history * tolerance;
   find_inexact(system, apart, peaks, ground);
   find_inexact_pressure(*fine.solution.monitors, *coarse.solution.monitors, ground);
   std::sort(ground.inexact.begin(), ground.inexact.end(),
             [](const InexactReading& a, const InexactReading& b) { return a.error > b.error; });
   return ground;
-}
-
-/// Whether these errors are within what the scene allows of the answer.
-bool meets(const ContactGround& error, const ContactAnswer& answer, double tolerance) {
-  const double slip = std::abs(answer.solution.contact->found.solved->largest_slip);
-  return error.peak_shear <= tolerance && error.slip <= tolerance * slip && error.history <= of_history * tolerance;
 }
 
 /// Directions of the bonded caisson's model at that look, in the order in which they came.
@@ -170,21 +135,6 @@ Eigen::MatrixXd directions_of(const GrowingBasis& basis, const Look& look) {
     for (Eigen::Index j = 0; j < of->n(); ++j)
       columns(of->unknown, of->coordinate[static_cast<std::size_t>(j)]) = of->unit.cwiseProduct(of->vectors.col(j));
   return columns;
-}
-
-/// The kept ground where it serves this scene, else a new one in its place.
-ReducedGround& ground_of(const Simulation& simulation, ContactRoom& room, bool bonded_reduced) {
-  const CompiledScene& compiled = *simulation.compiled();
-  const double shift = shift_of_ground(simulation.scene());
-  const std::shared_ptr<GrowingBasis> basis =
-      bonded_reduced ? room.bonded->basis_about(shift, compiled.body_coordinates) : nullptr;
-  const Look* look = basis ? &basis->reach(bonded_vectors * basis->n_independent_loads()) : nullptr;
-  const Eigen::Index n = look != nullptr ? look->n_displacements + look->n_phi : 0;
-  if (room.ground && room.ground->serves(compiled, shift, n)) return *room.ground;
-  room.ground.reset();  // before the new one takes its memory
-  room.ground = std::make_unique<ReducedGround>(simulation.compiled(), shift,
-                                                look != nullptr ? directions_of(*basis, *look) : Eigen::MatrixXd());
-  return *room.ground;
 }
 
 }  // namespace
@@ -234,6 +184,20 @@ ReducedGround::Level& ReducedGround::level(int number, const System& system) {
   return level;
 }
 
+ReducedGround& ground_of(const Simulation& simulation, ContactRoom& room, bool bonded_reduced) {
+  const CompiledScene& compiled = *simulation.compiled();
+  const double shift = shift_of_ground(simulation.scene());
+  const std::shared_ptr<GrowingBasis> basis =
+      bonded_reduced ? room.bonded->basis_about(shift, compiled.body_coordinates) : nullptr;
+  const Look* look = basis ? &basis->reach(bonded_vectors * basis->n_independent_loads()) : nullptr;
+  const Eigen::Index n = look != nullptr ? look->n_displacements + look->n_phi : 0;
+  if (room.ground && room.ground->serves(compiled, shift, n)) return *room.ground;
+  room.ground.reset();  // before the new one takes its memory
+  room.ground = std::make_unique<ReducedGround>(simulation.compiled(), shift,
+                                                look != nullptr ? directions_of(*basis, *look) : Eigen::MatrixXd());
+  return *room.ground;
+}
+
 double shift_of_ground(const Scene& scene) {
   return std::exp2(std::round(std::log2(krylov_shift(scene))));
 }
@@ -253,7 +217,7 @@ Solution contact_on_reduced_ground(const Simulation& simulation, const Marching&
       error = difference(compiled.system, answer, *before, tolerance);
       error.coordinates = level.model.system.n_free();
       error.solves = level.n_solves;
-      if (meets(error, answer, tolerance)) {
+      if (meets(error, *answer.solution.contact->found.solved, tolerance)) {
         answer.solution.contact->found.solved->ground = error;
         answer.solution.response.final_state = level.model.whole(answer.solution.response.final_state);
         answer.solution.timing.march = watch.seconds();
@@ -262,9 +226,7 @@ Solution contact_on_reduced_ground(const Simulation& simulation, const Marching&
     }
     before = std::move(answer);
   }
-  throw NumericsError("nested models of the ground differ by " + significant(error.slip) + " m in S, " +
-                      significant(error.peak_shear) + " of the peak of F_T, and " + significant(error.history) +
-                      " of its largest magnitude at some time");
+  throw NumericsError(why_ground_misses(error));
 }
 
 }  // namespace upbead

@@ -50,6 +50,10 @@ double shift_of_ground(const Scene& scene);
 
 struct ContactRoom;
 
+/// The kept ground where it serves this scene, else a new one in its place; with the basis of the bonded caisson's
+/// model, if `bonded_reduced`.
+ReducedGround& ground_of(const Simulation& simulation, ContactRoom& room, bool bonded_reduced);
+
 /// Marches contact with nested models of the ground, until S, peak F_T and F_T(t) of two of them agree. The system has
 /// an interface with friction and forces at rest. Throws NumericsError where they do not come close enough, or where a
 /// model does not balance.

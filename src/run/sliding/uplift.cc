@@ -4,40 +4,10 @@
 #include <utility>
 
 #include "response/shear_response.h"
-#include "response/slip_law.h"
 
 namespace upbead {
 
 namespace {
-
-bool pushes_seaward_alone(const TimeFunction& P, double end) {
-  return upbead::pushes_seaward_alone(extremum(P, 0., end, 1).value, extremum(P, 0., end, -1).value);
-}
-
-/// U follows P by `lag` while P is landward, or where it never is, while it is seaward; with the course held, U stays
-/// at its peak after the peak of P.
-TimeFunction follow_force(const UpliftChoice& uplift, const TimeFunction& force, double end) {
-  const TimeFunction P = pushes_seaward_alone(force, end) ? scaled(force, -1.) : force;
-  const Extremum largest = extremum(P, 0., end, 1);
-  if (largest.value <= 0.) return {};
-  const double lag = uplift.lag, peak = *uplift.peak, over = largest.time + lag;
-  const bool held = uplift.course == UpliftCourse::held;
-  std::vector<double> kinks{lag}, samples;
-  for (const double t : P.kinks())
-    if (t > 0. && (!held || t < largest.time)) kinks.push_back(t + lag);
-  if (held && largest.time > 0.) kinks.push_back(over);
-  for (const double t : P.samples())
-    if (t >= 0. && (!held || t < largest.time)) samples.push_back(t + lag);
-  std::vector<TimeFunction::Piece> pieces{[](double) { return 0.; }};
-  for (std::size_t i = 0; i < kinks.size(); ++i) {
-    const double inside = (i + 1 < kinks.size() ? 0.5 * (kinks[i] + kinks[i + 1]) : kinks[i] + 1.) - lag;
-    if (held && inside >= largest.time)
-      pieces.emplace_back([peak](double) { return peak; });
-    else
-      pieces.emplace_back([=](double t) { return peak * (std::max(P(t - lag, inside), 0.) / largest.value); });
-  }
-  return {kinks, pieces, samples};
-}
 
 /// Integrals of one part, from `from` to `to` (m): exact, as shape times x is a parabola between the points.
 struct ShapeIntegral {
@@ -81,8 +51,14 @@ UpliftLoad load_of(const UpliftPart& part, double from, double to, const std::ve
 
 }  // namespace
 
-TimeFunction prescribed_uplift(const UpliftChoice& uplift, const TimeFunction& P, double end) {
-  return uplift.peak ? follow_force(uplift, P, end) : uplift.history;
+UpliftLoad uplift_of_peak(const Simulation& simulation, const std::vector<double>& position,
+                          const std::vector<double>& length, bool seaward, const TimeFunction& U) {
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const double B = caisson.bottom_width, from = caisson.bottom_centre[0] - 0.5 * B, to = from + B;
+  const bool triangle = simulation.scene().sliding->uplift->distribution == UpliftDistribution::triangle;
+  double wet = (triangle ? 2. : 1.) / B, dry = triangle ? 0. : 1. / B;  // at the edge under the wave, at the other
+  if (seaward) std::swap(wet, dry);
+  return load_of({{{from, wet}, {to, dry}}, U}, from, to, position, length);
 }
 
 std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::vector<double>& position,
@@ -92,19 +68,16 @@ std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::ve
       sliding->uplift->kind != UpliftKind::prescribed)
     return {};
   const UpliftChoice& uplift = *sliding->uplift;
-  const Caisson& caisson = *simulation.compiled()->caisson;
-  const double B = caisson.bottom_width, from = caisson.bottom_centre[0] - 0.5 * B, to = from + B;
-  std::vector<UpliftPart> parts = uplift.parts;
-  if (parts.empty()) {
-    const bool triangle = uplift.distribution == UpliftDistribution::triangle;  // p_u = 2 U/B, Goda (2000)
+  if (uplift.parts.empty()) {
     const TimeFunction P = force_on_caisson(*simulation.compiled());
     const double end = simulation.scene().time.end;
-    double wet = (triangle ? 2. : 1.) / B, dry = triangle ? 0. : 1. / B;  // at the edge under the wave, at the other
-    if (pushes_seaward_alone(P, end)) std::swap(wet, dry);
-    parts.push_back({{{from, wet}, {to, dry}}, prescribed_uplift(uplift, P, end)});
+    return {
+        uplift_of_peak(simulation, position, length, pushes_seaward_alone(P, end), prescribed_uplift(uplift, P, end))};
   }
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const double B = caisson.bottom_width, from = caisson.bottom_centre[0] - 0.5 * B, to = from + B;
   std::vector<UpliftLoad> loads;
-  for (const UpliftPart& part : parts) loads.push_back(load_of(part, from, to, position, length));
+  for (const UpliftPart& part : uplift.parts) loads.push_back(load_of(part, from, to, position, length));
   return loads;
 }
 
