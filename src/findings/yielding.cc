@@ -243,7 +243,7 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
 }
 
 /// Warning still_moves: the caisson is not yet where it will stay.
-NumberedWarnings rest_warnings(const Evidence& e, const Summary& summary) {
+NumberedWarnings moving_warnings(const Evidence& e, const Summary& summary) {
   constexpr double share = 0.1, least_turn = 1e-5;  // of a residual; what nobody sees: rad, and of B
   if (!summary.residual) return {};
   const ResidualSummary& r = *summary.residual;
@@ -301,7 +301,7 @@ Finding yielding_finding() {
   };
   f.warnings = [](const Evidence& e, const Summary& summary) {
     NumberedWarnings list = yielding_warnings(summary);
-    append(list, rest_warnings(e, summary));
+    append(list, moving_warnings(e, summary));
     return list;
   };
   f.skipped_of_scene = skipped_estimate;
