@@ -137,6 +137,7 @@ const KnownWarning known_warnings[] = {
      "run", "liquefaction.md"},
     {"motion_stays", "velocity of a boundary that its acceleration leaves at the end, over the largest, and 5 %",
      "run, explain", "warnings.md#records"},
+    {"no_contact", "number of waves, and 0", "respond", "reference/methods.md#waves-with-contact"},
     {"no_coupled_slip", "largest sliding force over mu W', and 1", "run", "warnings.md#slip-as-a-whole"},
     {"no_error_estimate",
      "no wave has an estimate of its error: the model's file holds no larger models to compare with",

@@ -44,6 +44,25 @@ nlohmann::ordered_json to_object(const CircleModelMade& made) {
           {"time", made.seconds}};
 }
 
+nlohmann::ordered_json to_object(const ContactModelMade& made) {
+  if (!made.model) return nullptr;
+  nlohmann::ordered_json coordinates = nlohmann::ordered_json::array();
+  for (const GroundLevel& level : made.model->levels) coordinates.push_back(level.n_free());
+  return {{"nodes", made.model->interface.n_nodes()},
+          {"coordinates", coordinates},
+          {"solves", made.model->levels.back().solves},
+          {"time", made.seconds}};
+}
+
+std::string describe(const ContactModelMade& made) {
+  if (!made.model) return "";
+  std::string text;
+  for (const GroundLevel& level : made.model->levels)
+    text += (text.empty() ? "" : ", ") + std::to_string(level.n_free());
+  return "contact     of " + std::to_string(made.model->interface.n_nodes()) + " nodes on grounds of " + text +
+         " coordinates, " + significant(made.seconds, 2) + " s\n";
+}
+
 std::string describe(const CircleModelMade& made) {
   if (!made.model) return "";
   return "circles     " + std::to_string(made.model->family.circles.size()) + " under the caisson, " +
@@ -76,6 +95,7 @@ std::string to_json(const Reduced& made) {
   json["nested"] = to_object(made.nested);
   json["slip"] = to_object(made.slip);
   if (made.circles.model) json["circles"] = to_object(made.circles);
+  if (made.contact.model) json["contact"] = to_object(made.contact);
   json["warnings"] = warnings_json(made.warnings());
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& part : made.skipped) json["skipped"].push_back({{"what", part.what}, {"why", part.why}});
@@ -105,8 +125,8 @@ std::string describe(const Reduced& made) {
           significant(m.error_peak, 2) + told_of_others(r) + "\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += describe(made.nested);
-  text +=
-      "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip) + describe(made.circles);
+  text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip) +
+          describe(made.circles) + describe(made.contact);
   for (const Skipped& part : made.skipped) text += "skipped     " + part.what + ": " + part.why + "\n";
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";

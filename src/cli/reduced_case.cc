@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/interrupt.h"
@@ -148,14 +149,13 @@ Simulation simulation_for_waves(const Case& input, const Simulation& simulation)
 }
 
 /// What the model of a case leaves out, in the words of a run.
-std::vector<Skipped> skipped(const Simulation& simulation, const Reduced& made) {
+std::vector<Skipped> skipped(const Reduced& made) {
   std::vector<Skipped> list;
   const std::string &nested = made.nested.why_not, &slip = made.slip.why_not, &circles = made.circles.why_not;
   if (!nested.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested});
   if (!slip.empty()) list.push_back({"slip of the caisson with its ground", slip});
   if (!circles.empty()) list.push_back({"slip circles under the caisson", circles});
-  if (simulation.with_interface())
-    list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
+  if (!made.contact.why_not.empty()) list.push_back({"contact node by node", made.contact.why_not});
   return list;
 }
 
@@ -173,6 +173,17 @@ CircleModelMade circles_of(const Simulation& simulation, const Reduction& reduct
   Progress progress("seeking slip circles");
   CircleModelMade made = circle_model(simulation, reduction);
   if (made.model) join_pore_pressures(made.model->pressures);
+  return made;
+}
+
+/// Of the case before it is bonded. Loads that the bonded model names otherwise would be answered by others.
+ContactModelMade contact_of(const Simulation& simulation, const Reduction& reduction) {
+  Progress progress("reducing the ground of contact");
+  ContactModelMade made = contact_model(simulation, shown_by(progress));
+  ModalModel bonded = reduction.model;
+  join_pore_pressures(bonded);
+  if (made.model && made.model->demand.load_name != bonded.load_name)
+    throw std::logic_error("the ground of contact has other loads than the bonded model");
   return made;
 }
 
@@ -223,12 +234,14 @@ Reduced reduced_case(const Case& input, const Simulation& of_case, const CaseMod
     made.slip = reduce_with_slip(simulation, made.reduction, shown_by(progress));
   }
   if (may_have_circles) made.circles = circles_of(simulation, made.reduction);
-  made.skipped = skipped(simulation, made);
+  if (!options.bare) made.contact = contact_of(of_case, made.reduction);
+  made.skipped = skipped(made);
   check_interrupt();
   made.file = model_of(input, simulation, made.reduction, folder);
   made.file.slip = made.slip.model;
   made.file.nested = made.nested.models;
   made.file.circles = made.circles.model;
+  made.file.contact = made.contact.model;
   WarningsOfCase told = warnings_of_case(input, of_case);
   made.file.warnings = std::move(told.scene);
   made.of_loads = std::move(told.loads);

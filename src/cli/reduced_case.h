@@ -8,6 +8,7 @@
 #include "findings/circle_model.h"
 #include "respond/respond_slip.h"
 #include "response/reduction.h"
+#include "run/contact/contact_model.h"
 #include "run/sliding/coupled_sliding.h"
 #include "upbead/case/case.h"
 #include "upbead/output/model_file.h"
@@ -35,6 +36,7 @@ struct Reduced {
   std::vector<Skipped> skipped;
   Nested nested;
   CircleModelMade circles;
+  ContactModelMade contact;
   NumberedWarnings of_loads;  ///< those of the scene are in the file
   NumberedWarnings warnings() const;
   std::string path;

@@ -26,6 +26,16 @@ std::string answers_text(const AnsweredModel& of, const Json& summary, const Res
                     {"S, coupled", "sliding_coupled"},
                     {"lifted for", "coupled.lifted_time"}},
                    "", longest_table);
+  if (model.contact)
+    text += table_of(waves, rows, "waves[]",
+                     {{"node by node", "name"},
+                      {"peak F_T", "response.peak_shear"},
+                      {"S", "contact.solved.slip"},
+                      {"error of S", "contact.solved.ground.slip"},
+                      {"least contact", "contact.solved.least_contact"},
+                      {"lift, seaward", "contact.solved.opening_seaward"},
+                      {"landward", "contact.solved.opening_landward"}},
+                     "", longest_table);
   const auto has_circle = [](const Json& wave) { return wave.contains("/circle/factor"_json_pointer); };
   if (std::any_of(waves.begin(), waves.end(), has_circle))
     text += table_of(waves, rows, "waves[]",

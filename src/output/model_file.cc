@@ -239,6 +239,7 @@ void detail::write_model(Hdf5Image& image, const ReducedModelFile& model) {
   if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
   if (model.circles) write_circles(image, *model.circles);
+  if (model.contact) write_contact(image, *model.contact);
   if (!model.warnings.empty()) write_warnings(image, model.warnings);
 }
 
@@ -268,6 +269,7 @@ ReducedModelFile detail::read_model(ModelParts& parts) {
   add_still_water(model);
   model.slip = read_slip(parts);
   model.circles = read_circles(parts, model.modes.load_name);
+  model.contact = read_contact(parts, model.modes.load_name);
   model.warnings = read_warnings(parts);
   return model;
 }

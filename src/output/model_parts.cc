@@ -130,6 +130,11 @@ std::size_t ModelParts::length(const std::string& path) const {
   return array && !array->shape.empty() ? array->shape[0] : 0;
 }
 
+std::size_t ModelParts::width(const std::string& path) const {
+  const auto array = file_.numbers(path);
+  return array && array->shape.size() > 1 ? array->shape[1] : 0;
+}
+
 void ModelParts::require_checksum() {
   if (mistakes_.empty() && !file_.checksum_holds().value_or(true))
     wrong("its checksum does not fit: numbers or texts were changed after " + command_in_quotes(kind_) +

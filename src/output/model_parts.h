@@ -55,6 +55,8 @@ class ModelParts {
   Eigen::MatrixXcd complex_matrix(const std::string& path, Shape shape);
   /// The length of a dataset's first axis; 0 where it has none.
   std::size_t length(const std::string& path) const;
+  /// Of its second axis.
+  std::size_t width(const std::string& path) const;
   bool has_dataset(const std::string& path) const { return file_.numbers(path).has_value(); }
 
   /// Notes a mistake where all parts are valid but the checksum shows that the file was changed. A file without a
@@ -125,6 +127,11 @@ void write_slip(Hdf5Image& image, const ModelSlip& slip);
 
 /// Reads that group, and notes mistakes; none where the file has no such group.
 std::optional<ModelSlip> read_slip(ModelParts& parts);
+
+/// Writes the part of a reduced model's file for contact node by node: the group /contact.
+void write_contact(Hdf5Image& image, const GroundModel& model);
+/// Reads that group, and notes mistakes; null where the file has no such group. `loads`: of the model.
+std::shared_ptr<const GroundModel> read_contact(ModelParts& parts, const std::vector<std::string>& loads);
 
 /// Writes all of a reduced model but the kind of the file.
 void write_model(Hdf5Image& image, const ReducedModelFile& model);

@@ -5,6 +5,7 @@
 
 #include "hdf5_image.h"
 #include "output/checks.h"
+#include "output/contact_outputs.h"
 #include "output/output_schema.h"
 
 namespace upbead {
@@ -55,6 +56,14 @@ OutputSchema<CircleInWave> circle_in_wave_outputs() {
       .key("moment", &C::moment, "N m/m", "M' then, about the middle of the base");
 }
 
+OutputSchema<PeaksOfShear> peaks_outputs() {
+  using P = PeaksOfShear;
+  return OutputSchema<P>()
+      .key("peak_shear", &P::peak_shear, "N/m", "largest F_T, landward")
+      .key("peak_shear_time", &P::peak_shear_time, "s", "time of the largest F_T")
+      .key("peak_shear_seaward", &P::peak_shear_seaward, "N/m", "least F_T");
+}
+
 /// The keys of a wave; the datasets of responses.h5 take unit and meaning from here.
 const OutputSchema<WaveResponse>& wave_outputs() {
   using W = WaveResponse;
@@ -91,7 +100,18 @@ const OutputSchema<WaveResponse>& wave_outputs() {
                "S where the caisson slides as a rigid block on the moving ground, landward; null where not asked for, "
                "and where the model cannot compute it")
           .reason("why_not_coupled", &W::why_not_coupled, "the reason, where it is this wave's; else null")
-          .object("coupled", &W::coupled, coupled_wave_outputs(), "of that slip; null with it");
+          .object("coupled", &W::coupled, coupled_wave_outputs(), "of that slip; null with it")
+          .object(
+              "response", &W::response, peaks_outputs(),
+              "of a caisson that may slip and lift node by node; left out where the model has no such, and where it "
+              "could not be answered")
+          .or_left_out()
+          .object("contact", &W::contact, contact_outputs(),
+                  "[slip and uplift node by node](contact.md), as a run tells it; left out where the model has no such")
+          .or_left_out()
+          .reason("why_not_contact", &W::why_not_contact,
+                  "why slip and uplift of this wave could not be computed; left out where they were")
+          .or_left_out();
   return schema;
 }
 
@@ -151,6 +171,9 @@ bool may_be_absent(const OutputRow& row) {
 bool is_of_ground(const OutputRow& row) {
   return row.path.rfind("least_sliding_factor", 0) == 0 || row.path.rfind("circle.", 0) == 0;
 }
+bool is_of_contact(const OutputRow& row) {
+  return row.path.rfind("contact.", 0) == 0 || row.path.rfind("response.", 0) == 0;
+}
 bool is_of_slip(const OutputRow& row) {
   return row.path == "sliding_coupled" || row.path == "least_overturning_margin" ||
          row.path.find("_pressure") != std::string::npos || row.path.rfind("coupled.", 0) == 0;
@@ -160,7 +183,7 @@ bool is_of_slip(const OutputRow& row) {
 void write_column(detail::Hdf5Image& image, const std::string& group, const std::vector<Json>& waves,
                   const OutputRow& row) {
   std::string path = "/" + row.path;
-  const bool of_slip = is_of_slip(row) || is_of_ground(row);
+  const bool of_slip = is_of_slip(row) || is_of_ground(row) || is_of_contact(row);
   const double none = of_slip ? std::numeric_limits<double>::quiet_NaN() : 0.;
   std::replace(path.begin(), path.end(), '.', '/');
   const Json::json_pointer at(path);
@@ -218,10 +241,12 @@ std::string response_file(const AnsweredModel& of, const std::vector<WaveRespons
     });
     const bool has_circles =
         std::any_of(file.waves.begin(), file.waves.end(), [](const WaveResponse& wave) { return !!wave.circle; });
+    const bool has_contact = !!of.model.contact;
     for (const OutputRow& row : wave_outputs().rows()) {
-      const bool absent = is_of_ground(row) ? !has_circles
-                          : is_of_slip(row) ? !slips
-                                            : may_be_absent(row) && waves.front().at(row.path).is_null();
+      const bool absent = is_of_contact(row)  ? !has_contact
+                          : is_of_ground(row) ? !has_circles
+                          : is_of_slip(row)   ? !slips
+                                              : may_be_absent(row) && waves.front().at(row.path).is_null();
       if (row.is_number && !absent) write_column(image, "/" + file.name, waves, row);
     }
   }

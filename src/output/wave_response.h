@@ -11,6 +11,7 @@
 #include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
+#include "upbead/output/summary.h"
 #include "upbead/sliding/base_pressure.h"
 
 namespace upbead {
@@ -33,6 +34,11 @@ struct CircleInWave {
   std::optional<std::array<double, 2>> centre{};  ///< m
   std::optional<double> radius{}, from{}, to{};   ///< of the circle, and x of its ends (m)
   double force = 0., shear = 0., moment = 0.;     ///< N', F_T (N/m), M' (N m/m) then
+};
+
+/// F_T of the caisson as it stands.
+struct PeaksOfShear {
+  double peak_shear = 0., peak_shear_time = 0., peak_shear_seaward = 0.;  ///< as in WaveResponse
 };
 
 /// Results for one wave. Landward positive, as in a run.
@@ -58,6 +64,10 @@ struct WaveResponse {
   std::optional<CircleInWave> circle{};  ///< none where the model has no circles, or none has a factor
   std::optional<CoupledWave> coupled{};  ///< none where it was not asked for, or could not be computed
   std::string why_not_coupled{};         ///< why a result that was asked for could not be computed; else ""
+  /// Slip and lift node by node; none where the model has none.
+  std::optional<ContactSummary> contact{};
+  std::optional<PeaksOfShear> response{};  ///< with it; none where it could not be answered
+  std::string why_not_contact{};           ///< then; else ""
 };
 
 /// A reading that was asked for by name, over the times of its file.

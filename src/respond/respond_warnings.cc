@@ -25,6 +25,19 @@ NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
            "\"friction\")"}};
 }
 
+/// Warning no_contact: slip and uplift node by node of some waves could not be computed.
+NumberedWarnings contact_warnings(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto untold = [](const AnsweredWave& row) { return !row.wave->why_not_contact.empty(); };
+  const auto n = std::count_if(waves.begin(), waves.end(), untold);
+  if (n == 0) return {};
+  const AnsweredWave& first = *std::find_if(waves.begin(), waves.end(), untold);
+  return {{"no_contact", static_cast<double>(n), 0., "1",
+           "slip and uplift node by node of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves could not be computed, such as of " + first.name + ": " + first.wave->why_not_contact,
+           "solve such a wave by 'upbead run', which marches the whole ground"}};
+}
+
 /// Warning slides_on: S is that of loads that stop where the wave ends.
 NumberedWarnings endless_warnings(const std::vector<WaveResponses>& files) {
   const std::vector<AnsweredWave> waves = all_waves(files);
@@ -101,7 +114,9 @@ NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
 /// Warning would_lift: an edge of the base, which a reduced model has bonded, is in tension.
 NumberedWarnings lift_warnings_of(const std::vector<WaveResponses>& files) {
   const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto stress = [](const AnsweredWave& row) { return row.wave->tension ? row.wave->tension->stress : 0.; };
+  const auto stress = [](const AnsweredWave& row) {
+    return row.wave->tension && !row.wave->response ? row.wave->tension->stress : 0.;  // contact tells more
+  };
   const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return stress(row) < 0.; });
   if (n == 0) return {};
   const AnsweredWave& worst = *std::min_element(
@@ -176,8 +191,9 @@ NumberedWarnings uplift_warnings(const ReducedModelFile& model) {
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   NumberedWarnings list = model.warnings;
   append(list, uplift_warnings(model));
-  for (const NumberedWarnings& more : {band_warnings(model, files), error_warnings(model, files), slip_warnings(files),
-                                       endless_warnings(files), lift_warnings_of(files), circle_warnings_of(files)})
+  for (const NumberedWarnings& more :
+       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), contact_warnings(files),
+        endless_warnings(files), lift_warnings_of(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

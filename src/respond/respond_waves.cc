@@ -18,6 +18,7 @@
 #include "respond/answer_step.h"
 #include "respond/respond_slip.h"
 #include "respond/wave_circles.h"
+#include "respond/wave_contact.h"
 #include "respond/wave_grid.h"
 #include "respond/wave_reading.h"
 #include "upbead/base/error.h"
@@ -160,6 +161,7 @@ struct Common {
       for (std::size_t i = 0; i < of_base.size(); ++i)
         resolved.push_back({&of_base[i], tolerance * (i < 2 ? 1. : model.base->width)});
     }
+    if (model.contact) contacts.emplace(model, options.sliding);
     if (!options.sliding) return;
     why_no_slip = options.why_no_slip;
     if (!model.slip) return;
@@ -182,7 +184,8 @@ struct Common {
   std::vector<ResolvedReading> resolved;  ///< readings that the times must resolve
   AllWaveChecks checks;
   std::optional<WaveSlips> slips;
-  std::string why_no_slip;  ///< the same for all waves
+  std::optional<WaveContacts> contacts;  ///< where the model has contact node by node
+  std::string why_no_slip;               ///< the same for all waves
 };
 
 /// The longest step (s) that resolves the responses: a fiftieth of the case's shortest load, or less where LineMisses
@@ -218,8 +221,8 @@ class FileWork {
         options_(common.options),
         force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
         longest_step_(longest_step(common, file)),
-        grid_(make_wave_grid(file.time, longest_step_,
-                             options_.end ? *options_.end : end_of_answer(file, model_.end, echo_of(model_)))),
+        end_(options_.end ? *options_.end : end_of_answer(file, model_.end, echo_of(model_))),
+        grid_(make_wave_grid(file.time, longest_step_, end_)),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
         checks_(common.checks.of(check_time_)),
         shear_answer_(shear_, grid_),
@@ -228,6 +231,8 @@ class FileWork {
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
     if (common.asks_for_base()) base_.emplace(model_, options_.sliding, grid_);
     if (base_ && model_.circles) circles_.emplace(*model_.circles, grid_);
+    if (common.contacts) contacts_ = &*common.contacts;
+    if (contacts_ != nullptr && grid_.equal) demand_.emplace(contacts_->demand(), *grid_.equal);
     if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves() *
                      static_cast<double>(1 + options_.histories.names.size());
@@ -268,6 +273,8 @@ class FileWork {
       prescribed = uplift_of_force(*options_.sliding, grid_.time, P);
     if (options_.sliding) set_sliding(loads, prescribed, F, ends_at_zero, out);
     if (base_) set_base(loads, prescribed, F, ends_at_zero, out);
+    if (contacts_ != nullptr)
+      contacts_->answer(file_, wave, end_, loads, grid_, demand_ && ends_at_zero ? &*demand_ : nullptr, out);
   }
 
  private:
@@ -316,16 +323,18 @@ class FileWork {
   const WaveFile& file_;
   const RespondOptions& options_;
   Eigen::RowVectorXd force_;  ///< P per unit of each load
-  double longest_step_;
+  double longest_step_, end_;
   WaveGrid grid_;
   std::vector<double> check_time_;  ///< equally spaced, and over the whole wave even where the response ends before it
   std::shared_ptr<const WaveChecks> checks_;
   WaveReading shear_answer_;
   WaveHistories histories_;
-  std::optional<BaseAnswer> base_;        ///< where S is asked for and the model has readings of the base
-  std::optional<WaveCircles> circles_;    ///< where the model has circles and readings of the base
-  std::optional<WaveReading> uplift_;     ///< where S is asked for, with the model's pore pressure
-  std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked for and the model has a slip part
+  std::optional<BaseAnswer> base_;          ///< where S is asked for and the model has readings of the base
+  std::optional<WaveCircles> circles_;      ///< where the model has circles and readings of the base
+  std::optional<WaveReading> uplift_;       ///< where S is asked for, with the model's pore pressure
+  std::shared_ptr<const WaveSlip> slip_;    ///< where S is asked for and the model has a slip part
+  const WaveContacts* contacts_ = nullptr;  ///< where the model has contact node by node
+  std::optional<ReadingsAt> demand_;        ///< of it
   WaveResponses result_;
 };
 

@@ -1,6 +1,7 @@
 // A reduced model in one HDF5 file.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "upbead/rupture/circle_family.h"
 
 namespace upbead {
+
+struct GroundModel;  // dynamics/ground_model.h
 
 /// A load of the case that the model was made from.
 struct ModelLoad {
@@ -72,6 +75,8 @@ struct ReducedModelFile {
   std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it could not be computed
   /// Slip circles under the caisson; none where no region has a strength, and in files of before them.
   std::optional<CircleModel> circles;
+  /// Slip and lift node by node; null where the case's caisson is bonded, and in files of before them.
+  std::shared_ptr<const GroundModel> contact;
   int unknowns = 0, solves = 0, factorisations = 0;
   NumberedWarnings warnings;  ///< of its scene, whatever the wave, as a run tells them; none in files of before them
 };
