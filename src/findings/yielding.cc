@@ -29,7 +29,7 @@ double moved_rotation(const ResidualSummary& r) {
   return moved(r.rotation, r.range_rotation);
 }
 
-double farthest(const std::array<double, 2>& range) {
+double largest_of(const std::array<double, 2>& range) {
   return std::max(std::abs(range[0]), std::abs(range[1]));
 }
 
@@ -214,7 +214,7 @@ Check displacement_check(const Summary& summary, const Limits& limits) {
                        slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
               limits, &Limits::sliding);
   const bool ends = !design || design->why_not_all.empty() || (check.holds && !*check.holds);
-  return ends ? at_rest(check, farthest(summary.residual->range_x) + slip) : not_checked(check, design->why_not_all);
+  return ends ? at_rest(check, largest_of(summary.residual->range_x) + slip) : not_checked(check, design->why_not_all);
 }
 
 /// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
@@ -239,7 +239,7 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
                           worst([](const R& r) { return std::max(-r.range_y[0], 0.); })),
                   summary.densification),
           at_rest(held_to(tilted, scene.limits, &Limits::tilt),
-                  worst([](const R& r) { return farthest(r.range_rotation); }))};
+                  worst([](const R& r) { return largest_of(r.range_rotation); }))};
 }
 
 /// Warning still_moves: the caisson is not yet where it will stay.
