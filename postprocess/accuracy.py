@@ -74,8 +74,9 @@ def account(rows):
     unknowns = sorted(int(row["unknowns"]) for row in answered)
     seconds = sorted(float(row["seconds"]) for row in answered)
     met = [row for row in answered if float(row[row["of"] + "_error"]) <= float(row["tolerance"])]
+    seeds = list(dict.fromkeys(row["seed"] for row in rows))
     return [
-        f"{len(rows)} scenes of seed {rows[0]['seed']}, {len(rows) - len(answered)} refused; the error asked for was "
+        f"{len(rows)} scenes of seed{'s' if len(seeds) > 1 else ''} {', '.join(seeds)}, {len(rows) - len(answered)} refused; the error asked for was "
         f"met in {len(met)} of {len(answered)}. Unknowns: median {statistics.median(unknowns):,.0f}, most "
         f"{unknowns[-1]:,}; seconds on a busy core: median {statistics.median(seconds):.1f}, most {seconds[-1]:.0f}.",
         "",

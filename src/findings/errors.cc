@@ -75,14 +75,16 @@ struct ByForces {
 /// S on both meshes, solved alike, and S on the scene's own mesh solved more accurately in time (m).
 struct OtherSlips {
   double coarse = 0., finer = 0., shorter = 0.;
+  double share = 1.;  ///< of the change between both, which the scene's own mesh has left
 };
 
 double slip_error(double slip, const OtherSlips& other, const ByForces& by_forces, const Margins& margin = {}) {
   const bool at_threshold = slip == 0. || other.finer == 0. || other.shorter == 0.;
   const double least =
       at_threshold ? by_forces.peak : std::max(by_chance * by_forces.peak, by_chance_of_history * by_forces.history);
-  return std::max(margin.cells * std::abs(other.coarse - other.finer) + margin.steps * std::abs(slip - other.shorter),
-                  least);
+  return std::max(
+      margin.cells * other.share * std::abs(other.coarse - other.finer) + margin.steps * std::abs(slip - other.shorter),
+      least);
 }
 
 /// Errors of S (m).
@@ -113,13 +115,15 @@ std::optional<SlipErrors> compare_reduced(const Evidence& e, const CellsCompared
   if (const auto& coupled = e.of(find_slip_as_whole).coupled) {
     const std::optional<SlipCompared> whole = compare_slip(simulation, *cells);
     if (!whole) return std::nullopt;
-    errors.as_whole = slip_error(coupled->slip.residual, {whole->coarse, whole->finer, whole->own}, by_forces);
+    errors.as_whole =
+        slip_error(coupled->slip.residual, {whole->coarse, whole->finer, whole->own, cells->share_of_slip}, by_forces);
   }
   const auto slip = [&](const Response& response) {
     return slip_by_history(sliding_of(simulation.scene(), *simulation.compiled(), response));
   };
-  errors.by_history = slip_error(slip_by_history(e.of(find_slid)),
-                                 {slip(bonded.coarse), slip(bonded.finer), slip(bonded.own)}, by_forces);
+  errors.by_history =
+      slip_error(slip_by_history(e.of(find_slid)),
+                 {slip(bonded.coarse), slip(bonded.finer), slip(bonded.own), cells->share_of_slip}, by_forces);
   return errors;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "dynamics/basis.h"
 #include "dynamics/frequency_response.h"
-#include "dynamics/projection.h"
 #include "fem/caisson/readings.h"
 #include "fem/error_indicator.h"
 #include "response/reduction.h"
@@ -66,13 +66,15 @@ Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, doubl
   return solve_spectrum(scene, compiled, s);
 }
 
-Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<Complex>& s) {
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<Complex>& s,
+                        BasisRoom* room) {
   const System& system = compiled.system;
-  SecondOrderKrylov krylov(system, krylov_shift(scene), compiled.body_coordinates);
-  while (krylov.n_vectors() < rough_vectors_per_load * krylov.n_independent_loads() && krylov.extend()) {
-  }
-  const Projection projection(system, krylov);
-  const SampledLoads loads = sampled_loads(scene, system);
+  ReductionTargets targets;
+  if (room == nullptr) targets.first_vectors = rough_vectors_per_load;
+  const ReduceOptions options = reduce_options(scene, compiled, targets);
+  BasisRoom of_its_own;
+  const auto basis = (room != nullptr ? *room : of_its_own).basis(system, options);
+  const ReducedSystem& reduced = basis->look(0).system;
   const Reading& F_T = system.readings[system.reading(reading::shear_force)];
   Spectrum spectrum;
   spectrum.s = s;
@@ -81,8 +83,8 @@ Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const
   spectrum.F.resize(static_cast<Eigen::Index>(system.loads.size()), n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Complex at = s[static_cast<std::size_t>(j)];
-    spectrum.F.col(j) = laplace_transform(loads, at);
-    spectrum.X.col(j) = frequency_response(krylov, projection.reduced(), at, spectrum.F.col(j));
+    spectrum.F.col(j) = laplace_transform(options.training, at);
+    spectrum.X.col(j) = frequency_response(basis->krylov(), reduced, at, spectrum.F.col(j));
     spectrum.shear.push_back(evaluate(F_T, spectrum.X.col(j), at, spectrum.F.col(j)));
   }
   return spectrum;
@@ -94,9 +96,10 @@ double shear_at(const std::vector<Complex>& s, const std::vector<Complex>& shear
   return sum.real() * s.at(1).imag() / pi;
 }
 
-MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled) {
+MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled,
+                     BasisRoom* room) {
   const System& system = compiled.system;
-  const Spectrum spectrum = solve_spectrum(scene, compiled, frequencies(scene));
+  const Spectrum spectrum = solve_spectrum(scene, compiled, frequencies(scene), room);
   const Reading& x_G = system.readings[system.reading(reading::displacement_x)];
   const auto n = static_cast<Eigen::Index>(spectrum.s.size());
   Eigen::VectorXd weight(n);

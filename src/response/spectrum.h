@@ -9,6 +9,8 @@
 
 namespace upbead {
 
+class BasisRoom;
+
 /// Laplace transforms at some s_j.
 struct Spectrum {
   std::vector<std::complex<double>> s;      ///< 1/s
@@ -18,8 +20,10 @@ struct Spectrum {
 };
 
 /// At given s, by a small Krylov space: one factorisation and about 20 solves for each load. Needs a caisson and
-/// inertia. Throws NumericsError as SecondOrderKrylov does.
-Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<std::complex<double>>& s);
+/// inertia. `room`: empty, for the basis of a reduction that goes on with it; null: none is kept. Throws NumericsError
+/// as SecondOrderKrylov does.
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<std::complex<double>>& s,
+                        BasisRoom* room = nullptr);
 
 /// At s_j = (2 + i pi j) / T, from which the inverse transform is valid from the start of the loads to `until` (s): T
 /// is the duration of the shortest load, or 1.2 `until` where that is longer; 10 to 80 frequencies, as high as the
@@ -43,6 +47,7 @@ struct MeshError {
 /// square of the error of x in the energy norm (goal and load are one: Becker and Rannacher 2001, sec. 2), and F_T =
 /// P - m x_G'' errs with it. Low frequencies show the singular corners of the caisson's bottom, high ones the cells
 /// that are too long for the waves. Needs a caisson and inertia. Throws NumericsError as solve_spectrum does.
-MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled);
+MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled,
+                     BasisRoom* room = nullptr);
 
 }  // namespace upbead

@@ -3,7 +3,8 @@
 // the history needs more cells than the peak; a march estimates the error by its steps; the far sides of a narrow
 // section have more effect than those of a wide one; a symmetric scene gets a symmetric mesh; an error that cannot be
 // estimated is refused at its key; readings other than F_T keep the tolerance of the case; the change of F_T on cells
-// of half the size is the same by models of few vectors as by far more accurate models.
+// of half the size is the same by models of few vectors as by far more accurate models; an error that was carried from
+// a coarser mesh, by the cells with nearly all of its errors, is that on halved cells of the mesh itself, or more.
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "good_case.h"
 #include "response/reduction.h"
 #include "run/accuracy/accuracy.h"
+#include "run/sliding/case_sliding.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
 #include "upbead/case/case_run.h"
@@ -136,7 +138,7 @@ const std::vector<std::string> short_pulse = both(small, {"loads.impulse.pulse.d
 /// A pulse of 20 ms: when the cells' shares were summed only at times within the pulse, the history had an error of
 /// 3.3 % where 0.05 % was estimated.
 TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
-  const upbead::Run run = solve(both(short_pulse, {"accuracy.tolerance=0.08"})),
+  const upbead::Run run = solve(both(short_pulse, {"accuracy.tolerance=0.08", "time.scheme=reduced"})),
                     truth = solve(both(short_pulse, far_finer));
   const int row = simulation_of(with(both(short_pulse, far_finer))).system().reading("shear_force");
   const double error = apart(run, truth, row);
@@ -169,6 +171,33 @@ TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
     const double moved = with_margin(difference(exact(own), exact(finer))).history;
     EXPECT_NEAR(early.error.history, moved, 0.15 * moved);
   }
+}
+
+/// The errors of F_T and S are measured on a coarser mesh, and carried: the mesh itself shows at most 1.2 times as
+/// much.
+TEST_F(AdaptedMesh, CarriesErrorsFromACoarserMesh) {
+  const std::vector<std::string> slides =
+      both(small, {"regions.seabed.damping={ratio=0.05,frequencies=[1,10]}",
+                   "regions.mound.damping={ratio=0.05,frequencies=[1,10]}", "accuracy.tolerance=0.005",
+                   "sliding.friction=0.2", "sliding.submerged_weight=1.5e6"});
+  const Simulation made = simulation_of(with(slides));
+  const CellsCompared& carried = *made.accuracy()->compared;
+  ASSERT_TRUE(carried.coarse && carried.reduced);
+  EXPECT_LT(carried.coarse->unknowns()->n_free(), 0.9 * made.unknowns()->n_free());
+  EXPECT_LT(carried.finer->unknowns()->n_free(), 3 * carried.coarse->unknowns()->n_free());
+  const CellsCompared here = compare_cells(made);
+  EXPECT_LE(here.error.history, 1.2 * carried.error.history);
+  EXPECT_GE(here.error.history, 0.3 * carried.error.history);
+  EXPECT_LE(here.error.peak, 1.2 * carried.error.peak);
+  const auto slip = [&](const Response& response) {
+    return sliding_of(made.scene(), *made.compiled(), response)->history.by_history.residual;
+  };
+  const auto moved = [&](const CellsCompared& cells) {
+    return cells.share_of_slip * std::abs(slip(cells.reduced->coarse) - slip(cells.reduced->finer));
+  };
+  EXPECT_GT(moved(carried), 0.);
+  EXPECT_LE(moved(here), 1.2 * moved(carried));
+  EXPECT_NEAR(slip(carried.reduced->own), slip(here.reduced->own), 1e-9 * slip(here.reduced->own));
 }
 
 TEST_F(AdaptedMesh, TheHistoryAsksForMoreCellsThanThePeakAtLength) {

@@ -19,6 +19,7 @@ struct Options {
   int count = 20, first = 0;
   unsigned longest = 600;  // s
   std::uint64_t seed = 1;
+  double part = 1.;
   int print = -1;
   std::string out = "accuracy.csv", section = UPBEAD_SECTION_GEO;
 };
@@ -74,7 +75,8 @@ void run(const Options& options) {
   AccuracyVerdict unfinished;
   unfinished.refused = "not done after " + std::to_string(options.longest) + " s";
   for (int scene = options.first; scene < options.first + options.count; ++scene) {
-    const RandomCase drawn = accuracy_scene(options.seed, static_cast<std::uint64_t>(scene), options.section);
+    const RandomCase drawn =
+        accuracy_scene(options.seed, static_cast<std::uint64_t>(scene), options.section, options.part);
     std::ofstream(path) << drawn.toml;
     if (scene == options.first) write_head(table, drawn);
     if (!judge_in_time(table, options, scene, drawn, path)) write_row(table, options, scene, drawn, unfinished);
@@ -91,6 +93,7 @@ int main(int argc, char** argv) {
   program.add_option("--count", options.count, "how many scenes")->capture_default_str();
   program.add_option("--first", options.first, "number of the first one")->capture_default_str();
   program.add_option("--seed", options.seed, "stream of numbers; 1 to 9 are for calibration")->capture_default_str();
+  program.add_option("--part", options.part, "factor of all tolerances")->capture_default_str();
   program.add_option("--longest", options.longest, "seconds after which a scene is given up")->capture_default_str();
   program.add_option("--out", options.out, "the table")->capture_default_str();
   program.add_option("--print", options.print, "print the case file of the scene with that number, and do no more");
@@ -100,8 +103,8 @@ int main(int argc, char** argv) {
       "  /usr/bin/python3 postprocess/accuracy.py accuracy.csv docs");
   CLI11_PARSE(program, argc, argv);
   if (options.print >= 0) {
-    std::cout
-        << upbead::test::accuracy_scene(options.seed, static_cast<std::uint64_t>(options.print), options.section).toml;
+    const auto number = static_cast<std::uint64_t>(options.print);
+    std::cout << upbead::test::accuracy_scene(options.seed, number, options.section, options.part).toml;
     return 0;
   }
   upbead::test::run(options);

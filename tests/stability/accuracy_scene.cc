@@ -167,7 +167,7 @@ double write_loads(Writer& w) {
 
 }  // namespace
 
-RandomCase accuracy_scene(std::uint64_t seed, std::uint64_t scene, const std::string& section_geo) {
+RandomCase accuracy_scene(std::uint64_t seed, std::uint64_t scene, const std::string& section_geo, double part) {
   Writer w{Draw(seed, scene), {}, {}, {}};
   Draw& draw = w.draw;
   Section& s = w.section;
@@ -176,7 +176,7 @@ RandomCase accuracy_scene(std::uint64_t seed, std::uint64_t scene, const std::st
   s.width = draw.uniform(8., 24.);
   s.height = draw.uniform(8., 20.);
   const bool contact = !s.elastic && draw.chance(0.06);
-  const double tolerance = draw.log_uniform(0.02, 0.08);
+  const double tolerance = part * draw.log_uniform(0.02, 0.08);
   const std::string of = draw.one_of({"history", "peak"});
   w.fact("mound", s.mound ? "1" : "0");
   w.fact("elastic", s.elastic ? "1" : "0");

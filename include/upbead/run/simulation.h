@@ -37,7 +37,9 @@ struct MeshAccuracy {
     int unknowns = 0;
     ShearError error;
   };
-  std::vector<Level> levels;  ///< meshes that were compared with cells half as large; the last is used
+  /// Meshes that were compared with cells half as large; the last, which is used, may have its error from the one
+  /// before.
+  std::vector<Level> levels;
   std::shared_ptr<const CellsCompared> compared;  ///< of the last
 };
 

@@ -114,7 +114,9 @@ std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Cel
     {
       const Simulation finer = finer_than(simulation, cells);
       GrowingModel better(basis_for_slip(finer), options(finer));
-      const auto found = grow_side_by_side(own, better, read, enough * scene.tolerance, among);
+      std::optional<GrowingModel> other;
+      if (cells.coarse) other.emplace(basis_for_slip(*cells.coarse), options(*cells.coarse));
+      const auto found = grow_side_by_side(other ? *other : own, better, read, enough * scene.tolerance, among);
       if (!found) return std::nullopt;
       compared.coarse = found->coarse[0][0];
       compared.finer = found->finer[0][0];
