@@ -183,6 +183,23 @@ ModeAnswer gate_of(const Work& work, const std::string& name, const FaultTree& t
   return mode;
 }
 
+/// A gate that has no answer fails at least as often as an event that fails it alone: told where that is more likely
+/// than not in a life. `events`: answers of the limit states.
+ModeAnswer bounded(ModeAnswer gate, const FaultTree& tree, const std::vector<ModeAnswer>& events) {
+  if (gate.life.probability) return gate;
+  const ModeAnswer* worst = nullptr;
+  for (const auto& set : tree.cut_sets())
+    if (const ModeAnswer& event = events[set.front()]; set.size() == 1 && event.life.probability.value_or(0.) >= 0.5)
+      if (!worst || *event.occasion.index < *worst->occasion.index) worst = &event;
+  if (!worst) return gate;
+  gate.governing = worst->governing;
+  gate.occasion = worst->occasion;
+  gate.year = worst->year;
+  gate.life = worst->life;
+  gate.why_not = "bounded from below: it fails at least as often as " + worst->name + "; " + gate.why_not;
+  return gate;
+}
+
 /// What the tree without one of the user leaves out, as it cannot be asked.
 std::vector<std::string> left_out_of(const ReliabilityTable& table, const std::vector<SectionLimitState>& states) {
   std::vector<std::string> names;
@@ -261,7 +278,11 @@ ReliabilityAnswer answer_of(const Design& given) {
                                  : DesignPointSearch{{}, state.why_not});
     add(mode_of(work, state, found.back()));
   }
-  for (const auto& [name, gate] : gates) add(gate_of(work, name, FaultTree(gates, name, names), states, found));
+  for (const auto& [name, gate] : gates) {
+    const FaultTree tree(gates, name, names);
+    add(gate_of(work, name, tree, states, found));
+    answer.modes.back() = bounded(answer.modes.back(), tree, answer.modes);
+  }
   answer.system = tops_of(gates).front();
   answer.left_out = left_out_of(table, states);
   if (!answer.left_out.empty()) answer.modes.back().meaning += words_of_left_out(answer) + ", which cannot be asked";

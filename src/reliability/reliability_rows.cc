@@ -31,7 +31,7 @@ Check index_check(const Design& design, const ReliabilityAnswer& answer, const M
   check = at_least_as(check, whole ? design.tables.reliability->target : std::nullopt);
   const bool certain = mode.life.probability && *mode.life.probability >= 1.;
   if (mode.life.index || (certain && check.capacity)) return check;
-  return not_checked(check, certain ? "its probability is 1" : mode.why_not);
+  return not_checked(check, certain ? "it fails for certain, its probability is 1" : mode.why_not);
 }
 
 /// A demand of a code whose target the file itself gives.

@@ -118,6 +118,18 @@ std::vector<double> nearest_point(const std::vector<DesignPointSearch>& events, 
   return u;
 }
 
+/// Of a system whose probability is 1 to round-off, as it fails where one of its sets does, and a set where its last
+/// event does.
+double index_of_certain(const std::vector<DesignPointSearch>& events, const CutSets& sets) {
+  double index = HUGE_VAL;
+  for (const auto& set : sets) {
+    double last = -HUGE_VAL;
+    for (const std::size_t i : set) last = std::max(last, events[i].point->index);
+    index = std::min(index, last);
+  }
+  return index;
+}
+
 }  // namespace
 
 MethodAnswer by_system_form(const std::vector<DesignPointSearch>& events, const CutSets& sets) {
@@ -131,7 +143,7 @@ MethodAnswer by_system_form(const std::vector<DesignPointSearch>& events, const 
   const Bounds bounds = series ? Bounds() : bounds_of(events, sets);
   const double sum = series ? probability_in_series(events, sets) : by_inclusion_and_exclusion(events, sets);
   const double p = std::clamp(sum, bounds.low, std::max(bounds.low, bounds.high));
-  answer.index = index_of(p);
+  answer.index = p >= 1. ? index_of_certain(events, sets) : index_of(p);
   if (answer.index)
     answer.probability = p;
   else

@@ -71,6 +71,16 @@ class Reliability(ProgramTest):
             self.assertIn("warning: implausible", done.stderr)
             self.assertIn(words, " ".join(done.stderr.split()))
 
+    def test_a_way_that_fails_for_certain_fails_the_system(self):
+        form = ["--set", "reliability.methods=['form']", "--set", "limits.base_pressure=100e3"]
+        for more in ("reliability.system={ all_of = { any = ['sliding', 'heel_pressure'] } }",
+                     "reliability.system={ one = { any = ['heel_pressure', 'two'] }, two = { all = ['sliding', 'sliding_seaward'] } }"):
+            done = upbead("reliability", DESIGN, *form, "--set", more, "--out", "out", cwd=self.folder)
+            found = json.loads((self.folder / "out/summary.json").read_text())
+            self.assertEqual(found["modes"][found["system"]]["life"]["probability"], 1)
+            self.assertEqual(found["verdict"]["holds"], False)
+            self.assertEqual(done.returncode, 3)
+
     def test_what_it_writes_runs_again(self):
         first = self.summary(*QUICK)[0]["modes"]
         self.assertEqual(first, self.summary(design=self.folder / "out/case.toml", out="again")[0]["modes"])

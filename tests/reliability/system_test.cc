@@ -66,6 +66,15 @@ TEST(System, OfMoreStatesThanVariablesHasAForm) {
   EXPECT_NEAR(*by_system_form(events, {{0}, {1}, {2}, {3}, {4}}).index, exact, 1e-3);
 }
 
+TEST(System, ThatFailsForCertainHasAnIndex) {
+  std::vector<DesignPointSearch> events = independent();
+  events.push_back(find_design_point([](const Values& u) { return -10. - u[0]; }, betas.size()));
+  const MethodAnswer answer = by_system_form(events, {{0}, {1, 2}, {3}});
+  EXPECT_EQ(*answer.probability, 1.);
+  EXPECT_NEAR(*answer.index, -10., 1e-3);
+  EXPECT_EQ(*by_system_form(events, {{0}, {3}}).probability, 1.);
+}
+
 DesignPointSearch state_at(double angle, double index) {
   DesignPoint point;
   point.alpha = {std::cos(angle), std::sin(angle)};
