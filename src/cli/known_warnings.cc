@@ -175,7 +175,7 @@ const KnownWarning known_warnings[] = {
      "run, explain", "warnings.md#records"},
     {"record_dropout",
      "equal samples of a record between jumps by a fifth of its range within a sample, and 3; voids the verdict",
-     "run, explain", "warnings.md#records"},
+     "run, explain, respond", "warnings.md#records"},
     {"record_gap",
      "longest step of a record, and five times its usual one (s); voids the verdict where the record is not at rest "
      "there",
@@ -186,6 +186,9 @@ const KnownWarning known_warnings[] = {
      "run, explain", "warnings.md#records"},
     {"record_too_coarse", "fewer than 20 samples in the rise of a record to its peak", "run, explain",
      "warnings.md#records"},
+    {"record_zero",
+     "change of a record within the rest that `zero` takes off, over its range, and 5 %; voids the verdict",
+     "run, explain", "warnings.md#records"},
     {"records_swapped",
      "bend of the pressure over the height with two transducers exchanged, against as given: four times less",
      "run, explain", "warnings.md#records"},

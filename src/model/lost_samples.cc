@@ -75,6 +75,12 @@ class Losses {
     return std::max(usual_step(i > beside ? i - beside : 1, i), usual_step(i + 1, std::min(i + 1 + beside, n_)));
   }
 
+  /// Whether it is long beside the next step on either side: most are not, and are judged quickly.
+  bool may_be_gap(std::size_t i) const {
+    const double before = i > 1 ? step(i - 1) : HUGE_VAL, after = i + 1 < n_ ? step(i + 1) : HUGE_VAL;
+    return step(i) > many_steps * std::min(before, after);
+  }
+
   /// What lies at rest on both sides may be left out by a person, unless it is noise.
   void add_gap(NumberedWarnings& list) const {
     std::size_t worst = 0, number = 0;
@@ -82,7 +88,7 @@ class Losses {
       return std::max(std::abs(value_[i - 1] - rest_), std::abs(value_[i] - rest_)) > off_rest * peak_;
     };
     for (std::size_t i = 1; i < n_; ++i) {
-      if (!(step(i) > many_steps * usual_around(i)) || !(off(i) || change(i) > 0.)) continue;
+      if (!may_be_gap(i) || !(step(i) > many_steps * usual_around(i)) || !(off(i) || change(i) > 0.)) continue;
       ++number;
       if (worst == 0 || off(i) > off(worst) || (off(i) == off(worst) && step(i) > step(worst))) worst = i;
     }

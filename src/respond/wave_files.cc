@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
+#include "model/record.h"
 #include "output/hdf5_reader.h"
 #include "upbead/base/error.h"
 
@@ -237,6 +238,24 @@ WaveFile read_csv_wave(const std::string& path, const Names& loads, const Names&
   return file;
 }
 
+/// What is lost in the waves of a file: of each kind the first, and how many more.
+void note_losses(WaveFile& file) {
+  std::map<std::string, NumberedWarning> first;
+  std::map<std::string, int> number;
+  for (Eigen::Index row = 0; row < file.value.rows(); ++row) {
+    const Eigen::RowVectorXd values = file.value.row(row);
+    const Record record{file.name, file.time, {values.data(), values.data() + values.size()}};
+    for (const NumberedWarning& lost : lost_samples(record)) {
+      first.emplace(lost.name, lost);
+      ++number[lost.name];
+    }
+  }
+  for (auto& [name, warning] : first) {
+    if (number[name] > 1) warning.what += "; " + std::to_string(number[name] - 1) + " more of its waves and loads, too";
+    file.notes.warnings.push_back(warning);
+  }
+}
+
 /// Appends -2, -3, ... to a name that another file has, too.
 void number_duplicates(std::vector<WaveFile>& files) {
   Names taken;
@@ -256,6 +275,7 @@ std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, con
   for (const std::string& path : paths) try {
       files.push_back(is_hdf5(path) ? read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
       files.back().name = fs::path(path).stem().string();
+      note_losses(files.back());
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());
     }

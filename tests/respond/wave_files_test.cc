@@ -94,6 +94,28 @@ TEST_F(WaveFiles, UnitsOfTheHeaderCount) {
             "N/cm, N/mm, gf/cm, kgf/cm, kgf/m, tf/m");
 }
 
+/// Two waves of a triangle, of which rows, or the signal of one, are lost.
+TEST_F(WaveFiles, WhatIsLostIsTold) {
+  std::vector<double> time, one, both;
+  for (int i = 0; i < 100; ++i) {
+    if (i > 40 && i < 60) continue;
+    time.push_back(0.01 * i);
+    one.push_back(std::max(0., 1. - std::abs(0.01 * i - 0.45) / 0.3));
+  }
+  for (int wave = 0; wave < 2; ++wave) both.insert(both.end(), one.begin(), one.end());
+  write_hdf5("w.h5", {{"time", {time.size()}, time}, {"impact", {2, time.size()}, both}});
+  const NumberedWarnings list = read_wave_files({"w.h5"}, one_load).front().notes.warnings;
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list.front().name, "record_gap");
+  EXPECT_NE(list.front().what.find("1 more of its waves"), std::string::npos) << list.front().what;
+  std::string rows = "t,impact\n";
+  for (int i = 0; i < 100; ++i)
+    rows += std::to_string(0.01 * i) + "," +
+            std::to_string(i > 35 && i < 45 ? 0. : std::max(0., 1. - std::abs(0.01 * i - 0.45) / 0.3)) + "\n";
+  write("d.csv", rows);
+  EXPECT_EQ(read_wave_files({"d.csv"}, one_load).front().notes.warnings.front().name, "record_dropout");
+}
+
 TEST_F(WaveFiles, EqualNamesAreNumbered) {
   std::filesystem::create_directory("a");
   for (const char* path : {"w.csv", "a/w.csv", "v.csv"}) write(path, "t,p\n0,1\n1,2\n");

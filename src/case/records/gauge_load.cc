@@ -33,12 +33,14 @@ void read_columns(const GaugeKeys& source, const CsvTable& table, const RecordTi
                   GaugeRecord& record) {
   Gauges& gauges = record.gauges;
   Diagnostics mistakes;
+  NumberedWarnings zero;  // the first one stands for all
   const auto column = [&](const std::string& name, const std::string& si, const std::string& unit) {
     std::vector<double> values;
     try {
       const std::size_t c = column_of(table, name, place);
       values = in_si(table, c, si, unit);
       record.notes.read.push_back(summary_of(table, c, si, unit, times.time, values));
+      if (zero.empty()) zero = zero_warnings(name, times, values);
       take_off_rest(times, values);
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());
@@ -54,6 +56,7 @@ void read_columns(const GaugeKeys& source, const CsvTable& table, const RecordTi
     gauges.pressure.push_back(column(name, "Pa", source.gauge_unit));
   }
   if (!source.load_cell.empty()) gauges.load_cell = column(source.load_cell, "N/m", "");
+  append(record.notes.warnings, zero);
   mistakes.throw_if_any();
 }
 

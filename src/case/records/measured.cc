@@ -8,6 +8,7 @@
 #include "case/case_schema.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
+#include "model/record.h"
 #include "response/comparison.h"
 
 namespace upbead {
@@ -47,6 +48,9 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredKe
   record.notes.read.push_back(summary_of(table, column, computed.unit, source.unit, times.time, record.value));
   record.notes.read.back().of = path;
   note_layout(table, layout, record.notes);
+  append(record.notes.warnings, zero_warnings(path, times, record.value));
+  append(record.notes.warnings, lost_samples({path, record.time, record.value}));
+  for (NumberedWarning& warning : record.notes.warnings) warning.voids = false;  // no check is made of it
   take_off_rest(times, record.value);
   return record;
 }

@@ -265,6 +265,23 @@ std::size_t column_of(const CsvTable& table, const std::string& name, const Plac
                    suggestion(name, table.names, "columns"));
 }
 
+NumberedWarnings zero_warnings(const std::string& name, const RecordTimes& times, const std::vector<double>& values) {
+  constexpr double quiet = 0.05;
+  const std::size_t third = times.at_rest / 3;
+  if (third == 0) return {};
+  const auto mean = [&](std::size_t first) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(third), 0.) / static_cast<double>(third);
+  };
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double change = std::abs(mean(times.at_rest - third) - mean(0)), range = *most - *least;
+  if (!(change > quiet * range)) return {};
+  return {{"record_zero", change / range, quiet, "1",
+           "record '" + name + "' changes by " + significant(100. * change / range, 2) +
+               " % of its range within the time that 'zero' calls its rest, whose mean is taken off",
+           "let zero end before the event, or leave it out", true}};
+}
+
 void take_off_rest(const RecordTimes& times, std::vector<double>& values) {
   double mean = 0.;
   for (std::size_t i = 0; i < times.at_rest; ++i) mean += values[i] / static_cast<double>(times.at_rest);

@@ -26,6 +26,10 @@ std::size_t column_of(const CsvTable& table, const std::string& name, const Plac
 /// Subtracts the mean of the samples at rest from all samples.
 void take_off_rest(const RecordTimes& times, std::vector<double>& values);
 
+/// Warning record_zero: from the first to the last third of the samples at rest their mean changes by more than a
+/// twentieth of the record's range.
+NumberedWarnings zero_warnings(const std::string& name, const RecordTimes& times, const std::vector<double>& values);
+
 /// A table from text (base/csv.h) or, of HDF5 (see is_hdf5), from the one-dimensional datasets below the
 /// root of an HDF5 file, all of one length, with their attributes `unit`; `time` comes first. Throws InputError.
 CsvTable read_record_table(const std::string& path, const Place& place);
