@@ -62,6 +62,11 @@ class Inspection {
     rise_ = slope_of_rise();
   }
 
+  NumberedWarnings begun() {
+    check_begin();
+    return std::move(list_);
+  }
+
   NumberedWarnings run() {
     check_saturation(1., extent_.most);
     check_saturation(-1., extent_.least);
@@ -238,6 +243,16 @@ class Inspection {
   NumberedWarnings list_;
 };
 
+/// Warning record_begun of the samples from t = 0 on, where those before are known and not taken.
+NumberedWarnings begun_before(const Record& record) {
+  const auto first = std::lower_bound(record.time.begin(), record.time.end(), 0.) - record.time.begin();
+  const Record taken{record.name,
+                     {record.time.begin() + first, record.time.end()},
+                     {record.value.begin() + first, record.value.end()}};
+  if (taken.value.size() < 10 || !(extent_of(taken.value).range() > 0.)) return {};
+  return Inspection(taken).begun();
+}
+
 /// At most `most` samples: those with the largest pressures.
 std::vector<std::size_t> telling_samples(const std::vector<RecordAtHeight>& at) {
   constexpr std::size_t most = 2000;
@@ -289,6 +304,7 @@ NumberedWarnings record_warnings(const Record& record) {
                  " throughout: the instrument was dead",
              "leave the record out, or write it as a pulse if it is meant"}};
   NumberedWarnings list = Inspection(record).run();
+  if (record.time.front() < 0.) append(list, begun_before(record));
   append(list, lost_samples(record));
   return list;
 }
