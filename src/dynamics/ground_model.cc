@@ -4,6 +4,17 @@
 
 namespace upbead {
 
+namespace {
+
+/// How many of the first coordinates M couples with no other.
+Eigen::Index n_uncoupled(const Eigen::MatrixXd& M) {
+  Eigen::Index n = 0;
+  while (n < M.cols() && M.col(n).head(n).isZero(0.) && M.col(n).tail(M.rows() - n - 1).isZero(0.)) ++n;
+  return n;
+}
+
+}  // namespace
+
 MarchedGround marched(const GroundModel& model, const GroundLevel& level) {
   const Eigen::Index r = level.n_free(), m = level.U.rows();
   const auto coupling = [&](const Eigen::MatrixXd& along) { return product(along, level.U.transpose()); };
@@ -11,6 +22,8 @@ MarchedGround marched(const GroundModel& model, const GroundLevel& level) {
                     {{level.M, level.C, level.K.col(0).asDiagonal()},
                      {coupling(level.M_f), coupling(level.C_f), coupling(level.K_f)},
                      model.of_interface,
+                     level.U,
+                     n_uncoupled(level.M),
                      model.shift}};
   System& system = out.system;
   system.M = system.C = system.K = SparseMatrix(r + m, r + m);
