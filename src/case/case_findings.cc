@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/case_schema.h"
@@ -127,7 +128,7 @@ double uplift_of_waves(const Case& input) {
 
 /// Least T (s) of the loads by waves.
 double period_of_waves(const Case& input) {
-  double least = upbead::infinity;
+  double least = infinity;
   for (const WaveLoad* wave : acting_waves(input)) least = std::min(least, wave->wave.period);
   return least;
 }
