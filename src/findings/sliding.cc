@@ -271,11 +271,13 @@ Check distance_check(const Scene& scene, const DesignSliding& design, const std:
 
 /// Where the caisson was on the way and is no more: waves brought it back, and the next ones need not.
 Checks checks_on_the_way(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
-  constexpr double farther = 1.01;  // than where it comes to rest
-  if (!design.rests || std::abs(design.largest) <= farther * std::abs(design.value)) return {};
+  constexpr double farther = 1.1;  // than where it comes to rest
+  const double largest = std::abs(design.largest), value = std::abs(design.value);
+  const bool fails_alone = scene.limits.sliding && largest > *scene.limits.sliding && value <= *scene.limits.sliding;
+  if (!design.rests || (largest <= farther * value && !fails_alone)) return {};
   const Check check =
-      check_of(FailureMode::sliding_distance, "sliding distance on the way", "m", std::abs(design.largest),
-               "sliding.design.largest", (design.largest < 0. ? "seaward; " : "") + uplift + "; " + design.why);
+      check_of(FailureMode::sliding_distance, "sliding distance on the way", "m", largest, "sliding.design.largest",
+               (design.largest < 0. ? "seaward; " : "") + uplift + "; " + design.why);
   return {judged(held_to(check, scene.limits, &Limits::sliding), design)};
 }
 

@@ -26,7 +26,7 @@ import output_tables  # noqa: E402
 from pages import reference  # noqa: E402
 from report import vtu  # noqa: E402
 
-QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.1"]
+QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
 
 
 def undescribed(value, path, rows):
@@ -109,7 +109,7 @@ class Cli(ProgramTest):
             self.assertIn("must be at most", done.stderr)
 
     def test_run_writes_three_files_that_other_programs_read(self):
-        done = self.run_model()
+        done = self.run_model("--set", "time.end=0.11")
         self.assertEqual((done.returncode, done.stderr), (0, ""), "no progress where nobody watches")
         result = self.folder / "results/fig2b-model"
         self.assertEqual(sorted(os.listdir(result)), ["case.toml", "results.h5", "summary.json"])

@@ -95,7 +95,7 @@ class End(ProgramTest):
         self.assertNotIn("slow_wave_unresolved", sheared)
 
     def test_a_dry_block(self):
-        dry = scene(("[time]", "[sliding]\nfriction = 0.6\nsubmerged_weight = 5.933088e6\nweight = 5.933088e6\n[time]"))
+        dry = scene(("end = 0.6", "end = 0.9"), ("[time]", "[sliding]\nfriction = 0.6\nsubmerged_weight = 5.933088e6\nweight = 5.933088e6\n[time]"))
         warnings, summary, _ = self.ask("run", dry)
         self.assertEqual(warnings, {})
         self.assertAlmostEqual(summary["sliding"]["submerged_weight"], 5.933088e6)
