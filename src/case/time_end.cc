@@ -184,7 +184,7 @@ NumberedWarnings answer_warnings(const Case& input, double end, double period) {
     const Action& action = *source->action;
     const std::optional<double> from = begin_of(action);
     if (!from || *from >= end || rest_of(action, end).change > tolerable_cut) continue;  // told as load_zero, load_cut
-    const double until = std::min(end_of(action), last_peak_of(action) + period) + rebound * period;
+    const double until = last_peak_of(action) + rebound * period;
     if (until <= answered) continue;
     answered = until;
     last = &action;

@@ -21,6 +21,7 @@ export function edgesOf({N, M, width}) {
 // overturns that way.
 function overturningMargin(base, n, side) {
   const arm = 0.5 * base.width, holds = (base.weight - base.U[n]) * arm - side * (base.weightMoment + base.uplifting[n]);
+  if (holds <= 0) return 0;  // it is lifted, whatever turns it
   const overturns = holds - (base.N[n] * arm - side * base.M[n]);
   return overturns > 1e-9 * base.weight * arm ? holds / overturns : null;
 }
