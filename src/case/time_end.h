@@ -36,8 +36,8 @@ double end_of_actions(const Case& input);
 /// it changes after `end` by more than a twentieth of its largest value: docs/warnings.md.
 NumberedWarnings end_warnings(const Case& input, double end);
 
-/// Warning answer_cut: the run ends before a section of that period (s) has answered a load's last peak: most within half
-/// a period after a short pulse (Chopra, Dynamics of Structures, ch. 4), and in the rebound within 3/4.
+/// Warning answer_cut: the run ends before a section of that period (s) has answered a load's last peak: most within
+/// half a period after a short pulse (Chopra, Dynamics of Structures, ch. 4), and in the rebound within 3/4.
 NumberedWarnings answer_warnings(const Case& input, double end, double period);
 
 /// Whether the case leaves its end to the loads.

@@ -230,8 +230,8 @@ const KnownWarning known_warnings[] = {
     {"still_grows", "largest F_T of the last fifth of the run over that before, and 1.01", "run",
      "warnings.md#loads-and-the-end"},
     {"still_moves",
-     "how far the caisson moved in the last fifth of the run from where it ends, and a tenth of where it ends (m, rad)", "run",
-     "yielding.md"},
+     "how far the caisson moved in the last fifth of the run from where it ends, and a tenth of where it ends (m, rad)",
+     "run", "yielding.md"},
     {"still_slides", "velocity of the slip when the run ends, and what friction brakes within 1 % of S (m/s)", "run",
      "warnings.md#slip-as-a-whole"},
     {"strength", "largest mobilised strength of a region, and 1", "run", "warnings.md#strength"},
@@ -251,7 +251,8 @@ const KnownWarning known_warnings[] = {
     {"uplift_differs", "peak of a prescribed uplift, and that of the wave by its own formula (N/m)", "run, explain",
      "warnings.md#uplift-of-a-bonded-caisson"},
     {"uplift_left_out",
-     "U of a wave, of a prescribed peak or of the pores that does not count, and 0 or a twentieth of W' (N/m); 0 and 0 of "
+     "U of a wave, of a prescribed peak or of the pores that does not count, and 0 or a twentieth of W' (N/m); 0 and 0 "
+     "of "
      "a record that a reduced model leaves out",
      "run, explain, respond", "warnings.md#uplift-of-a-bonded-caisson"},
     {"variable_not_positive", "value of a random variable at 3e-5 of its probability, and 0", "reliability",
