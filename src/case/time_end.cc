@@ -40,13 +40,13 @@ std::optional<double> begin_of(const Action& action) {
   return std::nullopt;
 }
 
-/// When it last comes near its largest value (s).
+/// When it last comes near its largest value (s), where it may stay.
 double last_peak_of(const Action& action) {
   constexpr double near = 0.9;
   const double least = near * largest_of(action);
   double last = 0.;
   for (std::size_t i = 0; i < action.time.size(); ++i)
-    if (std::abs(action.value[i]) >= least) last = action.time[i];
+    if (std::abs(action.value[i]) >= least && (i == 0 || std::abs(action.value[i - 1]) < least)) last = action.time[i];
   return last;
 }
 
@@ -176,7 +176,7 @@ NumberedWarnings end_warnings(const Case& input, double end) {
 }
 
 NumberedWarnings answer_warnings(const Case& input, double end, double period) {
-  constexpr double rebound = 0.75;
+  constexpr double rebound = 0.6;  // 3/4 of the period; Dunkerley's rule gives 1.25 times that and more
   const Action* last = nullptr;
   double answered = end;
   for (const LoadSource* source : sources_of(input)) {
