@@ -153,7 +153,8 @@ Simulation to_compare_slip(const Simulation& finer) {
 
 }  // namespace
 
-CellsCompared compare_cells(const Simulation& simulation) {
+CellsCompared compare_cells(const Simulation& given) {
+  const Simulation simulation = with_room(given);  // so that complete() goes on with the basis
   const Simulation finer = to_compare_slip(with_halved_cells(simulation));
   CellsCompared out = compare_with(simulation, finer);
   const bool reduced = out.reduced.has_value();
