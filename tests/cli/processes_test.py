@@ -346,7 +346,7 @@ class Processes(ProgramTest):
             self.assertEqual(self.left_behind(), [])
 
     def test_decides_and_finds_the_same_mesh_at_length(self):
-        keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.3", "accuracy.tolerance=0.03"]
+        keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.3", "accuracy.tolerance=0.02"]
         alone, both = (self.run_on(n, *keys) for n in (1, 2))
         self.assertEqual(both["discretisation"]["scheme"], "reduced")
         self.assertEqual(both["discretisation"]["unknowns"], alone["discretisation"]["unknowns"])
