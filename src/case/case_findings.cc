@@ -145,7 +145,8 @@ NumberedWarnings warnings_of_other_uplift(const Case& input) {
   const UpliftChoice& uplift = *sliding->uplift;
   const double of_waves = uplift_of_waves(input), end = input.scene.time.end,
                given = uplift.peak ? *uplift.peak : extremum(uplift.history, 0., end, 1).value;
-  const bool is_small = given<as_large * of_waves, is_late = uplift.lag> at_once * period_of_waves(input);
+  const bool is_small = given < as_large * of_waves;
+  const bool is_late = uplift.lag > at_once * period_of_waves(input);
   if (!(of_waves > 0.) || !uplift.parts.empty() || !(is_small || is_late)) return {};
   return {{"uplift_differs", given, of_waves, "N/m",
            "the prescribed uplift " +

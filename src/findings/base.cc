@@ -65,13 +65,15 @@ void look_at_loads_on_edge(const EffectiveBase& base, const EffectiveBase& still
                            BaseSummary& summary) {
   EffectiveBase on_edge = still;
   std::vector<double> when = time;
-  const auto keep = [&](std::vector<double>& values) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
-      if (!edges.landward || !edges.seaward || i + 1 == values.size()) values[n++] = values[i];
-    }
-    values.resize(n);
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
+    if (!edges.landward || !edges.seaward || i + 1 == time.size()) asked.push_back(i);
+  }
+  const auto keep = [&asked](std::vector<double>& values) {
+    if (values.empty()) return;
+    for (std::size_t n = 0; n < asked.size(); ++n) values[n] = values[asked[n]];
+    values.resize(asked.size());
   };
   for (auto* of : {&on_edge.force, &on_edge.moment, &on_edge.uplift, &on_edge.uplift_moment, &on_edge.vertical,
                    &on_edge.vertical_moment, &when})

@@ -228,12 +228,12 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
   if (!summary.nonlinear || !summary.residual) return {};
   using R = ResidualSummary;
   const auto worst = [&](const auto& of) { return worst_residual(summary, of); };
-  const double settlement = worst([](const R&r) { return std::max(-r.displacement_y, 0.); }),
-               tilt = worst([](const R&r) { return std::abs(r.rotation); });
+  const double settlement = worst([](const R& r) { return std::max(-r.displacement_y, 0.); });
+  const double tilt = worst([](const R& r) { return std::abs(r.rotation); });
   const std::string how = "where the caisson is when the run ends, after this load alone";
   const Check settled =
-                  check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how),
-              tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
+      check_of(FailureMode::settlement, "settlement", "m", settlement, "residual.displacement_y", how);
+  const Check tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
   return {displacement_check(summary, scene.limits),
           drained(at_rest(held_to(settled, scene.limits, &Limits::settlement),
                           worst([](const R& r) { return std::max(-r.range_y[0], 0.); })),
