@@ -67,14 +67,15 @@ GaugeSummary summary_of(const LoadSource& by, const Resultant& sum) {
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation) {
   NumberedWarnings all;
+  const double end = simulation.given().time.end;
   for (const auto& [name, by] : input.sources)
     if (by->gauges && by->acts()) {
       std::vector<double> force = on_caisson(*by, simulation).force;
       for (double& value : force) value /= by->load.factor;
-      append(all, gauge_warnings(by->title, *by->gauges, force));
+      append(all, gauge_warnings(by->title, *by->gauges, force, end));
     }
   if (input.uplift && input.uplift->gauges)
-    append(all, gauge_warnings(input.uplift->title, *input.uplift->gauges, on_bottom(*input.uplift).force));
+    append(all, gauge_warnings(input.uplift->title, *input.uplift->gauges, on_bottom(*input.uplift).force, end));
   return all;
 }
 

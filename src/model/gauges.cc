@@ -125,17 +125,20 @@ InterpolationError interpolation_error(const Gauges& gauges) {
   return error;
 }
 
-NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, const std::vector<double>& total) {
+NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, const std::vector<double>& total,
+                                const std::optional<double>& end) {
   constexpr double tolerable = 0.05, tolerable_cell = 0.1;
   NumberedWarnings list;
   std::vector<RecordAtHeight> records;
   for (std::size_t i = 0; i < gauges.count(); ++i)
-    records.push_back({gauges.place[i], {name + "." + gauges.name[i], gauges.time, gauges.pressure[i]}});
+    records.push_back({gauges.place[i], {name + "." + gauges.name[i], gauges.time, gauges.pressure[i], end}});
   for (const RecordAtHeight& at : records) append(list, record_warnings(at.record));
   join("record_too_coarse", "are sampled too coarsely", list);
   join("record_gap", "have it, too", list);
   join("record_dropout", "lost it, too", list);
   join("record_begun", "begin so, too", list);
+  join("record_cut", "are cut, too", list);
+  join("record_saturated", "are at their end, too", list);
   append(list, swapped_records(records));
   if (const InterpolationError error = interpolation_error(gauges); error.force > tolerable)
     list.push_back(

@@ -70,9 +70,12 @@ class Losses {
     return 5 * equal >= 4 * (n_ - 1);
   }
 
-  /// A step is long beside those on both sides of it: those of CFD programs grow and shrink.
+  /// A step is long beside those on both sides of it: those of CFD programs grow and shrink. Near an end of the record
+  /// one side has too few.
   double usual_around(std::size_t i) const {
-    return std::max(usual_step(i > beside ? i - beside : 1, i), usual_step(i + 1, std::min(i + 1 + beside, n_)));
+    const double before = usual_step(i > beside ? i - beside : 1, i),
+                 after = usual_step(i + 1, std::min(i + 1 + beside, n_));
+    return std::isfinite(before) && std::isfinite(after) ? std::max(before, after) : std::min(before, after);
   }
 
   /// Whether it is long beside the next step on either side: most are not, and are judged quickly.

@@ -17,7 +17,7 @@ constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; a larg
 constexpr std::size_t least_of_record = 50;             ///< samples; fewer may be the corners of a load that stops
 constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: a faster change is the load itself
 constexpr int least_in_rise = 20;
-constexpr double most_at_begin = 0.05;  ///< of the largest value
+constexpr double most_at_begin = 0.05;  ///< of the largest value, and of the peak where it ends
 
 struct Extent {
   double least, most;
@@ -54,6 +54,7 @@ class Inspection {
         value_(record.value),
         n_(value_.size()),
         extent_(extent_of(value_)),
+        jumps_(record.end && time_.back() + (time_.back() - time_.front()) / static_cast<double>(n_) < *record.end),
         at_ends_(std::max<std::size_t>(5, n_ / 50)),
         start_(median(value_, 0, at_ends_)) {
     for (std::size_t i = 0; i < n_; ++i)
@@ -103,12 +104,14 @@ class Inspection {
       const bool came = first_away<i, left = last_away> end;
       // a record that stays at zero between its events is not saturated
       const bool rests = std::abs(extreme - start_) <= 0.1 * extent_.range();
-      if (end - i >= least_flat && came && left && !rests && !is_round(i, end, extreme))
-        return add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
-                   "holds its extreme value " + significant(extreme) + " for " + std::to_string(end - i) +
-                       " samples at t = " + significant(time_[i]) +
-                       " s: the instrument was at its end, the true peak is larger",
-                   "use a record that is not cut");
+      if (end - i >= least_flat && came && left && !rests && !is_round(i, end, extreme)) {
+        add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
+            "holds its extreme value " + significant(extreme) + " for " + std::to_string(end - i) + " samples at t = " +
+                significant(time_[i]) + " s: the instrument was at its end, the true peak is larger",
+            "use a record that is not cut; give a load that is meant so by its corners");
+        list_.back().voids = true;
+        return;
+      }
       i = end;
     }
   }
@@ -170,6 +173,7 @@ class Inspection {
   void check_end() {
     const double end = median(value_, n_ - at_ends_, n_), drift = std::abs(end - start_) / peak_;
     const double apart = std::min(beyond(end, 0, at_ends_), beyond(start_, n_ - at_ends_, n_)) / peak_;
+    if (jumps_ && n_ >= least_of_record && drift >= most_drift) return check_cut();
     if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // the record is not at rest at both ends
     if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
     if (apart > least_drift && drift < most_drift)
@@ -183,11 +187,12 @@ class Inspection {
   void check_cut() {
     const double rest = std::abs(value_.back() - start_) / peak_;
     const bool is_record = n_ >= least_of_record;
-    if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && (rest < most_drift || is_record))
-      add("record_cut", rest, least_drift,
-          "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
-              " % of its peak away from where it starts: the load jumps to zero there",
-          "give a longer record, or let it come back to zero");
+    if (!(beyond(value_.back(), 0, at_ends_) > least_drift * peak_) || !(rest < most_drift || is_record)) return;
+    add("record_cut", rest, least_drift,
+        "has not come back where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
+            " % of its peak away from where it starts: the load jumps to zero there",
+        "give a longer record, or let it come back to zero");
+    list_.back().voids = jumps_ && rest > most_at_begin;
   }
 
   /// The drift before the record first exceeds a tenth of its peak.
@@ -235,6 +240,7 @@ class Inspection {
   const std::vector<double>&time_, &value_;
   std::size_t n_;
   Extent extent_;
+  bool jumps_;           ///< to zero after its last sample
   std::size_t at_ends_;  ///< number of samples that define the start, and of those that define the end
   double start_;
   std::size_t top_ = 0;  ///< sample farthest from the start

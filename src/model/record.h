@@ -1,6 +1,7 @@
 // Defects of a measured record, found from its samples alone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct Record {
   std::string name;           ///< for messages
   std::vector<double> time;   ///< s, ascending
   std::vector<double> value;  ///< any unit, of the same length
+  /// When a run ends in which it is a load, zero after its last sample (s); none: it is none, or that is not known.
+  std::optional<double> end{};
 };
 
 /// Whether the samples come from an instrument, and are not the corners of an idealised history: ten or more at equal
@@ -22,12 +25,15 @@ bool is_measured(const Record& record);
 /// All warnings that apply to a measured record; none for other records.
 ///   record_dead        it never changes by more than 1e-6 of its largest value
 ///   record_saturated   it stays at its extreme, to 1e-6 of its range, for 5 samples or more between a rise and a
-///                      fall: the instrument had reached its limit. The value is the number of samples
+///                      fall: the instrument had reached its limit. The value is the number of samples. Voids
+///                      the verdict, as the largest load is not in the record
 ///   record_drifting    it comes to rest between 3 and 50 % of its peak away from where it started, or moves by more
 ///                      than 3 % of the peak before the first event; both more slowly than a tenth of the slope of
 ///                      its rise (10 to 90 % of the peak), as the foot of a smooth rise is no drift. The value is
 ///                      that share of the peak
-///   record_cut         it ends between 3 and 50 % of its peak away from where it started, and still moves faster
+///   record_cut         it ends between 3 and 50 % of its peak away from where it started, and still moves faster; or
+///                      more than 50 %, as a load that acts no more where the run goes on. Voids the verdict where the
+///                      load jumps then by more than 5 % of its peak
 ///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
 ///   record_spikes      samples that differ from both neighbours by a fifth of the range while the neighbours agree
 ///                      to a twentieth

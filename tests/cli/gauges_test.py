@@ -179,7 +179,7 @@ class Gauges(ProgramTest):
             self.assertEqual(len(found), 1, name)
             self.assertIn(more, found[0]["text"])
         self.write_csv(linear, offset=3e4)  # from 0.05 to 0.2 s it is no rest
-        for zero, told in (("0.045", 0), ("0.09", 1), ("0.2", 1)):
+        for zero, told in (("0.045", 0), ("0.09", 1), ("0.2", 1), ("0.235", 1)):
             found = [w for w in self.ask("explain", scene(zero=zero))["warnings"] if w["name"] == "record_zero"]
             self.assertEqual(len(found), told, zero)
         bent = {**HEIGHTS, "p2": HEIGHTS["p5"], "p5": HEIGHTS["p2"]}

@@ -73,6 +73,21 @@ TEST(Records, ALoadThatIsCutDoesNotDrift) {
   EXPECT_NEAR(list[0].value, 0.5 * (1. - std::cos(2. * M_PI * 0.47 / 0.5)), 1e-3);
 }
 
+TEST(Records, ALoadThatStopsWhereTheRunGoesOnIsCut) {
+  const auto rise = [](double t) { return 1e6 * std::sin(0.5 * M_PI * t); };
+  for (const auto& [end, cut] : {std::pair(1., false), std::pair(2., true)}) {
+    Record record = sampled(rise);
+    record.end = end;
+    const NumberedWarnings list = record_warnings(record);
+    EXPECT_EQ(names(list), cut ? Names{"record_cut"} : Names()) << end;
+    if (cut) EXPECT_TRUE(list[0].voids);
+  }
+  EXPECT_EQ(names(record_warnings(sampled(rise))), Names()) << "of no run";
+  Record falls = sampled([](double t) { return smooth(t, 0.5); }, 0.4705);
+  falls.end = 0.4;
+  EXPECT_FALSE(record_warnings(falls).at(0).voids) << "what is cut comes after the run";
+}
+
 TEST(Records, StepIsNoFault) {
   EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::min(1., std::max(0., (t - 0.2) / 0.1)); }))),
             Names());
@@ -94,6 +109,7 @@ TEST(Records, Saturated) {
   const Record record = sampled([](double t) { return std::min(pulse(t), 8e5); });
   const NumberedWarnings list = record_warnings(record);
   ASSERT_EQ(names(list), Names{"record_saturated"});
+  EXPECT_TRUE(list[0].voids) << "the largest load is not in it";
   EXPECT_EQ(list[0].value, std::count(record.value.begin(), record.value.end(), 8e5));
   EXPECT_EQ(names(record_warnings(sampled([](double t) { return -std::min(pulse(t), 8e5); }))),
             Names{"record_saturated"});

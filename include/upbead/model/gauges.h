@@ -60,7 +60,8 @@ InterpolationError interpolation_error(const Gauges& gauges);
 /// steepest rise; warnings of transducers that look exchanged; and
 ///   gauges_too_sparse   the interpolation error of the force exceeds 5 %
 ///   load_cell_differs   the largest force by the load cell and that of `total` differ by more than 10 %
-/// `name`: of the load; `total`: force by the transducers over time (N/m).
-NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, const std::vector<double>& total);
+/// `name`: of the load; `total`: force by the transducers over time (N/m); `end`: of the run (s), where it is known.
+NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, const std::vector<double>& total,
+                                const std::optional<double>& end = {});
 
 }  // namespace upbead

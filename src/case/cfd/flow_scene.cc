@@ -133,7 +133,7 @@ std::shared_ptr<LoadSource> read_flow_load(const GivenLoad& given) {
   add_force(flow, given.end(), *source);
   if (!source->acts()) return source;
   const FlowHistory& force = *flow.force;
-  append(source->warnings, record_warnings({source->title, force.time, force.landward}));
+  append(source->warnings, record_warnings({source->title, force.time, force.landward, given.end()}));
   source->action = action_of(source->title, "flow_start", force.time, {force.landward, force.up});
   return source;
 }

@@ -141,11 +141,13 @@ FileHistory read_uplift(const std::string& path, const Place& place, double star
 
 namespace {
 
-/// Adds the file, and warnings of its record where it acts.
-void add_file(const std::string& path, const Place& place, FileHistory& history, LoadSource& source) {
+/// Adds the file, and warnings of its record where it acts. `end`: of the run, where the load is zero after the record.
+void add_file(const std::string& path, const Place& place, FileHistory& history, const std::optional<double>& end,
+              LoadSource& source) {
   source.files = {{path, place}};
   source.notes = std::move(history.notes);
   history.record.name = source.title;
+  history.record.end = end;
   if (source.acts()) source.warnings = record_warnings(history.record);
 }
 
@@ -159,7 +161,7 @@ std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
   load.duration = history.duration;
   if (!is_motion(load.kind))
     for (double& value : history.record.value) value *= load.factor;
-  add_file(path, place, history, *source);
+  add_file(path, place, history, is_motion(load.kind) ? std::nullopt : std::optional(given.end()), *source);
   const Load& made = source->made[given.name] = with_factor(load);
   if (source->acts()) source->action = action_of(source->title, "load_cut", "record_start", made.history);
   return source;
@@ -185,7 +187,7 @@ std::shared_ptr<LoadSource> read_uplift_history(const UpliftTable& uplift, const
   const Place place = problem.place("sliding.uplift.history");
   FileHistory history = read_uplift(path, place, uplift.record_start);
   source->load.history = history.function;
-  add_file(path, place, history, *source);
+  add_file(path, place, history, problem.scene.time.end, *source);
   source->action = action_of(source->title, "load_cut", "record_start", history.function);
   return source;
 }

@@ -274,7 +274,8 @@ NumberedWarnings zero_warnings(const std::string& name, const RecordTimes& times
     return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(third), 0.) / static_cast<double>(third);
   };
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double change = std::abs(mean(times.at_rest - third) - mean(0)), range = *most - *least;
+  const auto [low, high] = std::minmax({mean(0), mean(third), mean(times.at_rest - third)});
+  const double change = high - low, range = *most - *least;
   if (!(change > quiet * range)) return {};
   return {{"record_zero", change / range, quiet, "1",
            "record '" + name + "' changes by " + significant(100. * change / range, 2) +
