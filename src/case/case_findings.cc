@@ -158,6 +158,28 @@ NumberedWarnings warnings_of_other_uplift(const Case& input) {
            "write sliding.uplift = { kind = \"wave\" }, unless this uplift was measured"}};
 }
 
+/// What acts; where it presses on the caisson with less than a hundredth of the largest force it is trifling.
+std::vector<Action> actions_on(const Case& input, const Simulation& simulation) {
+  constexpr double share = 0.01;
+  const CompiledScene& compiled = *simulation.compiled();
+  std::map<std::string, double> force;
+  double largest = 0.;
+  for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+    const SystemLoad& load = compiled.system.loads[k];
+    const double most =
+        std::max(extremum(load.history, 0., infinity, 1).value, -extremum(load.history, 0., infinity, -1).value);
+    const double of_load =
+        most * std::hypot(compiled.loads_on_caisson[k].force_x, compiled.loads_on_caisson[k].force_y);
+    largest = std::max(largest, of_load);
+    for (const auto& [name, source] : input.sources)
+      if (source->made.count(load.name) > 0) force[source->title] += of_load;
+  }
+  std::vector<Action> list = actions_of(input);
+  for (Action& action : list)
+    if (const double own = force[action.name]; own > 0. && own < share * largest) action.trifling = true;
+  return list;
+}
+
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
   NumberedWarnings list = warnings_of_no_load(input);
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
@@ -165,10 +187,11 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   append(list, warnings_of_no_uplift(input, simulation));
   append(list, warnings_of_other_uplift(input));
   append(list, transducer_warnings(input, simulation));
-  append(list, end_warnings(input, simulation.given().time.end));
+  const std::vector<Action> actions = actions_on(input, simulation);
+  append(list, end_warnings(actions, simulation.given().time.end));
   if (!end_is_open(input) && simulation.given().time.inertia)
     append(list,
-           answer_warnings(input, simulation.given().time.end, swing_period(simulation.given(), *simulation.mesh())));
+           answer_warnings(actions, simulation.given().time.end, swing_period(simulation.given(), *simulation.mesh())));
   append(list, unit_warnings(input));
   if (const auto& section = input.tables->section;
       section && !input.scene.sliding && !acting_waves(input).empty() && simulation.compiled()->caisson)

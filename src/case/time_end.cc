@@ -87,21 +87,22 @@ Rest rest_of(const Action& action, double end) {
   return rest;
 }
 
-NumberedWarning zero_load(const Action& action, const std::optional<double>& from, double end) {
+NumberedWarning zero_load(const Action& action, const std::optional<double>& from, double end, const std::string& key) {
   const std::string when =
       from ? "is zero until t = " + significant(*from, 4) + " s, the run ends at " + significant(end, 4) + " s"
            : "is zero throughout";
-  return {"load_zero",
-          from.value_or(end),
-          end,
-          "s",
-          "'" + action.name + "' " + when + ": nothing of it is felt",
-          "look at the columns and units of the load, " +
-              (from ? "give time.end after it or leave time.end out, or let it begin earlier by " + action.begins_by
-                    : "and at " + action.begins_by)};
+  return {
+      "load_zero",
+      from.value_or(end),
+      end,
+      "s",
+      "'" + action.name + "' " + when + ": nothing of it is felt",
+      "look at the columns and units of the load, " +
+          (from ? "give " + key + " after it or leave " + key + " out, or let it begin earlier by " + action.begins_by
+                : "and at " + action.begins_by)};
 }
 
-NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
+NumberedWarning cut_load(const Action& action, const Rest& rest, double end, const std::string& key) {
   const double until = end_of(action);
   std::string text = "'" + action.name + "' acts until " + significant(until, 4) + " s, the run ends at " +
                      significant(end, 4) + " s: the rest of it is not felt";
@@ -114,7 +115,7 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
           end,
           "s",
           text,
-          "give a longer time.end, or leave time.end out, which covers all loads and their echo",
+          "give a longer " + key + ", or leave " + key + " out, which covers all loads and their echo",
           rest.share < 1. - over};
 }
 
@@ -153,35 +154,38 @@ Action action_of(const std::string& name, const std::string& begins_by, const st
   return action;
 }
 
+std::vector<Action> actions_of(const Case& input) {
+  std::vector<Action> list;
+  for (const LoadSource* source : sources_of(input))
+    if (source->action) list.push_back(*source->action);
+  return list;
+}
+
 double end_of_actions(const Case& input) {
   double end = 0.;
-  for (const LoadSource* source : sources_of(input))
-    if (source->action) end = std::max(end, end_of(*source->action));
+  for (const Action& action : actions_of(input)) end = std::max(end, end_of(action));
   return end;
 }
 
-NumberedWarnings end_warnings(const Case& input, double end) {
+NumberedWarnings end_warnings(const std::vector<Action>& actions, double end, const std::string& key) {
   NumberedWarnings list;
-  for (const LoadSource* source : sources_of(input)) {
-    if (!source->action) continue;
-    const Action& action = *source->action;
+  for (const Action& action : actions) {
     const std::optional<double> from = begin_of(action);
     const Rest rest = rest_of(action, end);
     if (!from || *from >= end)
-      list.push_back(zero_load(action, from, end));
-    else if (!action.swings && rest.change > tolerable_cut)
-      list.push_back(cut_load(action, rest, end));
+      list.push_back(zero_load(action, from, end, key));
+    else if (!action.swings && !action.trifling && rest.change > tolerable_cut)
+      list.push_back(cut_load(action, rest, end, key));
   }
   return list;
 }
 
-NumberedWarnings answer_warnings(const Case& input, double end, double period) {
-  constexpr double rebound = 0.6;  // 3/4 of the period; Dunkerley's rule gives 1.25 times that and more
+NumberedWarnings answer_warnings(const std::vector<Action>& actions, double end, double period,
+                                 const std::string& key) {
   const Action* last = nullptr;
   double answered = end;
-  for (const LoadSource* source : sources_of(input)) {
-    if (!source->action || source->action->swings) continue;
-    const Action& action = *source->action;
+  for (const Action& action : actions) {
+    if (action.swings || action.trifling) continue;
     const std::optional<double> from = begin_of(action);
     if (!from || *from >= end || rest_of(action, end).change > tolerable_cut) continue;  // told as load_zero, load_cut
     const double until = last_peak_of(action) + rebound * period;
@@ -195,8 +199,8 @@ NumberedWarnings answer_warnings(const Case& input, double end, double period) {
                significant(period, 3) + " s, so that it answers '" + last->name + "' most, and rebounds, until " +
                significant(answered, 3) +
                " s: forces, pressures, margins and S may be larger after the end, and are not judged",
-           "give time.end = " + significant(answered, 3) +
-               " or more, or leave time.end out, which covers all loads and their echo",
+           "give " + key + " = " + significant(answered, 3) + " or more, or leave " + key +
+               " out, which covers all loads and their echo",
            true}};
 }
 
