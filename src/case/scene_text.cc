@@ -24,7 +24,9 @@ bool is_of_action(const std::string& table, const std::string& line) {
   const auto is_one_of = [&key](std::initializer_list<const char*> keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  if (table == "sliding") return is_one_of({"friction", "submerged_weight"});
+  if (table.empty()) return key == "gravity";
+  if (table == "sliding") return is_one_of({"friction", "submerged_weight", "drag"});
+  if (table == "initial") return is_one_of({"water_level", "harbour_level"});
   return is_in(table, "loads") && is_one_of({"boundary", "region", "kind", "at", "direction", "shape", "over_x",
                                              "along_curve", "measured_on_wall"});
 }
@@ -40,7 +42,7 @@ std::map<std::string, std::string> tables_of(const std::string& case_text, IsOf 
     if (line.rfind('[', 0) == 0 && line.back() == ']')
       table = line.substr(1, line.size() - 2);
     else if (!line.empty() && is_of(table, line))
-      tables[table] += line + "\n";
+      tables[table.empty() ? "gravity" : table] += line + "\n";
   }
   return tables;
 }
@@ -62,6 +64,7 @@ std::vector<std::string> actions_that_differ(const std::string& case_text, const
   std::vector<std::string> names;
   for (const auto& [name, text] : a)
     if (const auto same = b.find(name); same != b.end() && same->second != text) names.push_back(name);
+  if (a.count("initial") != b.count("initial")) names.emplace_back("initial");
   return names;
 }
 

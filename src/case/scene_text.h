@@ -11,7 +11,7 @@ namespace upbead {
 std::vector<std::string> tables_that_differ(const std::string& case_text, const std::string& other_text);
 
 /// What else of another case a model of the first does not answer: the loads of both that act elsewhere or otherwise,
-/// whatever their histories, and friction and W' of [sliding].
+/// whatever their histories, friction, W' and drag of [sliding], levels of still water and gravity.
 std::vector<std::string> actions_that_differ(const std::string& case_text, const std::string& other_text);
 
 }  // namespace upbead

@@ -84,11 +84,7 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.loads = model_loads(input.scene, file.modes);
   file.caisson_mass = simulation.compiled()->caisson ? simulation.compiled()->caisson->body.mass : 0.;
   file.end = input.scene.time.end;
-  if (const auto& sliding = input.scene.sliding) {
-    const TimeFunction P = force_on_caisson(*simulation.compiled());
-    const double landward = extremum(P, 0., file.end, 1).value;
-    file.sliding = model_sliding(*sliding, landward > 0. ? landward : -extremum(P, 0., file.end, -1).value);
-  }
+  file.sliding = sliding_of_case(input.scene, simulation);
   file.base = model_base(simulation);
   if (input.scene.initial && input.scene.initial->harbour_level && simulation.compiled()->caisson) {
     file.still = still_water(simulation.scene(), *simulation.compiled()->caisson);
@@ -190,7 +186,8 @@ ContactModelMade contact_of(const Simulation& simulation, const Reduction& reduc
 /// Whether a warning of a scene is of its own loads and concerns no other wave.
 bool is_of_loads(const NumberedWarning& warning) {
   constexpr std::array names{"fast_load", "jump_with_alpha", "motion_stays", "step_too_coarse"};
-  return std::find(names.begin(), names.end(), warning.name) != names.end() || warning.what.rfind("loads.", 0) == 0;
+  return std::find(names.begin(), names.end(), warning.name) != names.end() ||
+         (warning.what.rfind("loads.", 0) == 0 && warning.what.find(".shape ") == std::string::npos);
 }
 
 }  // namespace
@@ -200,6 +197,13 @@ NumberedWarnings Reduced::warnings() const {
   append(all, uplift_warnings(file));
   append(all, of_loads);
   return all;
+}
+
+std::optional<ModelSliding> sliding_of_case(const Scene& scene, const Simulation& simulation) {
+  if (!scene.sliding) return std::nullopt;
+  const TimeFunction P = force_on_caisson(*simulation.compiled());
+  const double landward = extremum(P, 0., scene.time.end, 1).value;
+  return model_sliding(*scene.sliding, landward > 0. ? landward : -extremum(P, 0., scene.time.end, -1).value);
 }
 
 WarningsOfCase warnings_of_case(const Case& input, const Simulation& simulation) {

@@ -26,6 +26,10 @@ struct Nested {
 struct WarningsOfCase {
   NumberedWarnings scene, loads;
 };
+
+/// [sliding] of a case as its model keeps it; without what still water at two levels adds.
+std::optional<ModelSliding> sliding_of_case(const Scene& scene, const Simulation& simulation);
+
 WarningsOfCase warnings_of_case(const Case& input, const Simulation& simulation);
 
 /// All results of `reduce` for a case.

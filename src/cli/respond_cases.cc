@@ -1,6 +1,7 @@
 #include "cli/respond_cases.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "base/text.h"
@@ -82,11 +83,20 @@ void require_all_loads(const Case& input, const System& system, const SampledLoa
   }
 }
 
+/// Whether a prescribed uplift follows the force otherwise, or the case takes it from elsewhere.
+bool has_other_uplift(const std::optional<ModelSliding>& of_case, const std::optional<ModelSliding>& of_model) {
+  constexpr double written = 0.01;  // a peak has two digits or more
+  const ModelSliding a = of_case.value_or(ModelSliding()), b = of_model.value_or(ModelSliding());
+  const double most = std::max(a.uplift_per_force, b.uplift_per_force);
+  return a.uplift != b.uplift || a.lag != b.lag || std::abs(a.uplift_per_force - b.uplift_per_force) > written * most;
+}
+
 /// Warning model_of_other_scene: only the loads' histories are of the case.
-NumberedWarnings scene_warnings(const Case& input, const ReducedModelFile& model) {
+NumberedWarnings scene_warnings(const Case& input, const Simulation& simulation, const ReducedModelFile& model) {
   const std::string text = effective_case(input, ".");
   std::vector<std::string> names = tables_that_differ(model.case_text, text);
   append(names, actions_that_differ(model.case_text, text));
+  if (has_other_uplift(sliding_of_case(input.scene, simulation), model.sliding)) names.emplace_back("sliding.uplift");
   if (names.empty()) return {};
   return {{"model_of_other_scene", static_cast<double>(names.size()), 0., "1",
            in_quotes(input.stem) +
@@ -108,7 +118,7 @@ WaveFile wave_of_case(const std::string& path, const ReducedModelFile& model) {
   require_all_loads(input, system, loads, rows, model.modes.load_name);
   WaveFile wave = as_wave(input.stem, loads, rows);
   wave.rings_down = true;
-  append(wave.notes.warnings, scene_warnings(input, model));
+  append(wave.notes.warnings, scene_warnings(input, simulation, model));
   append(wave.notes.warnings, warnings_of_case(input, simulation).loads);
   return wave;
 }

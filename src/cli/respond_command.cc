@@ -140,6 +140,7 @@ int respond(const RespondArguments& arguments, const RespondCases& cases, const 
   NumberedWarnings warnings = warnings_of_options(arguments, loaded.model);
   append(warnings, warnings_of_files(waves));
   append(warnings, force_warnings(loaded.model, waves, responses));
+  append(warnings, cut_warnings(loaded.model, waves, responses));
   append(warnings, warnings_of_answers(loaded.model, responses));
   const Json summary = to_json(answered, responses, timing, warnings);
   const std::string json = json_text(summary);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "model/quantities.h"
 #include "sliding/still_water_push.h"
@@ -99,6 +100,13 @@ NumberedWarnings warnings_of_options(const RespondArguments& arguments, const Re
   judge("--friction", arguments.friction, quantities::friction, list);
   judge("--buoyant-weight", arguments.submerged_weight,
         of(of_weight, weight, "N/m", "W' is less than the weight in air, its upper bound here"), list);
+  constexpr double heavier = 1.1;  // as submerged_weight of a run
+  const double own = model.sliding ? model.sliding->submerged_weight : model.base ? model.base->weight : infinity;
+  if (arguments.submerged_weight && *arguments.submerged_weight > heavier * own && list.empty())
+    list.push_back({"submerged_weight", *arguments.submerged_weight, own, "N/m",
+                    "--buoyant-weight " + with_unit(*arguments.submerged_weight, "N/m") +
+                        " is more than a tenth above " + with_unit(own, "N/m") + " of the model's case",
+                    "give W' in still water, W less the weight of the displaced water"});
   return list;
 }
 
@@ -108,7 +116,8 @@ std::vector<WaveFile> waves_of(const RespondArguments& arguments, const RespondC
   for (const std::string& path : arguments.forces) (is_case(path) ? of_cases : files).push_back(path);
   if (arguments.forces.empty()) of_cases.push_back(arguments.model);
   std::vector<WaveFile> waves;
-  if (!files.empty()) waves = read_wave_files(files, model.modes.load_name, units_of_loads(model));
+  if (!files.empty())
+    waves = read_wave_files(files, model.modes.load_name, units_of_loads(model), arguments.end.value_or(model.end));
   for (const std::string& path : of_cases) {
     WaveFile wave = cases.wave(path, model);
     const auto has_name = [&wave](const WaveFile& other) { return other.name == wave.name; };

@@ -56,6 +56,8 @@ struct WaveResponse {
   std::optional<double> sliding{};
   /// Whether it slides while the last loads, as they are then, exceed the friction: S holds if they stop there.
   bool slides_on = false;
+  double left_out_uplift = 0.;                                      ///< largest of the pores, where S counts none (N/m)
+  bool slides_by_left_out_uplift = false;                           ///< whether it would slide by that
   std::optional<double> peak_heel_pressure{}, peak_toe_pressure{};  ///< Pa; none as in BaseExtremes, or not known
   std::optional<double> least_overturning_margin{};                 ///< none likewise
   /// mu N'/F_T while F_T acts that way; none where it never does, S was not asked for, or the base is not known.

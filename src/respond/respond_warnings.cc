@@ -4,8 +4,12 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "case/strain_model.h"
+#include "case/time_end.h"
 #include "model/quantities.h"
 #include "respond/answered_wave.h"
+#include "respond/respond_waves.h"
+#include "sliding/rest_velocity.h"
 
 namespace upbead {
 
@@ -36,6 +40,98 @@ NumberedWarnings contact_warnings(const std::vector<WaveResponses>& files) {
            "slip and uplift node by node of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
                " waves could not be computed, such as of " + first.name + ": " + first.wave->why_not_contact,
            "solve such a wave by 'upbead run', which marches the whole ground"}};
+}
+
+/// What a run says of a base that is followed node by node. `amount`: by how far; 0: not at all.
+struct Doubt {
+  const char *name, *unit, *what, *cure;
+  double (*amount)(const ContactSummary& contact);
+  bool voids = false;
+};
+
+constexpr double earth = 9.81;  ///< gravity (m/s2)
+
+const Doubt doubts[] = {
+    {"still_slides", "m/s",
+     "the caisson still slides when the answer ends, node by node: S is no more than its way till then",
+     "let the wave last until its loads are over, or give a later --end",
+     [](const ContactSummary& contact) {
+       const double v = std::abs(contact.solved->end_velocity);
+       return v > tolerable_velocity(contact.friction, earth, contact.solved->slip) ? v : 0.;
+     },
+     true},
+    {"rocks_on_edge", "m",
+     "the whole bottom lifts from the ground: what presses when it comes down is not known, and neither is S",
+     "make the caisson heavier, or let less uplift act",
+     [](const ContactSummary& contact) {
+       const NodeContact& solved = *contact.solved;
+       return solved.least_contact == 0. ? std::max(solved.opening_seaward, solved.opening_landward) : 0.;
+     }},
+    {"no_settlement", "m",
+     "an edge of the base lifts: ground that is elastic keeps no settlement and no tilt of that, and stones do",
+     "solve the wave by 'upbead run' with a mound whose law yields, or take settlement and tilt from tests",
+     [](const ContactSummary& contact) {
+       const NodeContact& solved = *contact.solved;
+       return solved.first_open ? std::max(solved.opening_seaward, solved.opening_landward) : 0.;
+     }}};
+
+/// Warnings still_slides, rocks_on_edge and no_settlement, as of a run with contact node by node.
+NumberedWarnings solved_warnings(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  NumberedWarnings list;
+  for (const Doubt& doubt : doubts) {
+    const auto amount = [&doubt](const AnsweredWave& row) {
+      return row.wave->contact && row.wave->contact->solved ? doubt.amount(*row.wave->contact) : 0.;
+    };
+    const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return amount(row) > 0.; });
+    if (n == 0) continue;
+    const AnsweredWave& worst =
+        *std::max_element(waves.begin(), waves.end(),
+                          [&](const AnsweredWave& a, const AnsweredWave& b) { return amount(a) < amount(b); });
+    list.push_back({doubt.name, amount(worst), 0., doubt.unit,
+                    "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " +
+                        worst.name + " by " + with_unit(amount(worst), doubt.unit) + ", " + doubt.what,
+                    doubt.cure, doubt.voids});
+  }
+  return list;
+}
+
+/// Warning uplift_left_out: the pores lift the caisson, and its S counts no uplift.
+NumberedWarnings pore_warnings(const std::vector<WaveResponses>& files) {
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const auto uplift = [](const AnsweredWave& row) { return row.wave->left_out_uplift; };
+  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return uplift(row) > 0.; });
+  if (n == 0) return {};
+  const AnsweredWave& worst = *std::max_element(
+      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return uplift(a) < uplift(b); });
+  return {{"uplift_left_out", uplift(worst), 0., "N/m",
+           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " + worst.name +
+               ", the pore pressure under the base lifts the caisson with up to " + with_unit(uplift(worst), "N/m") +
+               ", and S leaves it out, as [sliding] of the model's case has no uplift",
+           "write sliding.uplift = { kind = \"computed\" } in the case and reduce it again",
+           std::any_of(waves.begin(), waves.end(),
+                       [](const AnsweredWave& row) { return row.wave->slides_by_left_out_uplift; })}};
+}
+
+/// Warning soil_of_other_wave: soil that follows its strain has the stiffness that the case's own loads have left it.
+NumberedWarnings soil_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+  constexpr double other = 1.5;  // F_T of a wave twice as large was a quarter off
+  if (!follows_strain(model)) return {};
+  const auto [least, most] = forces_of_case(model);
+  double worst = 1., force = 0.;
+  for (const WaveResponses& file : files)
+    for (Eigen::Index row = 0; row < file.force.rows(); ++row) {
+      const double P = file.force.row(row).cwiseAbs().maxCoeff();
+      const double apart = P > 0. ? std::max(P / most, least / P) : 1.;
+      if (apart > worst) force = P;
+      worst = std::max(worst, apart);
+    }
+  if (!(worst > other)) return {};
+  return {{"soil_of_other_wave", worst, other, "1",
+           "the soil follows its strain, and the model has the stiffness that P = " + with_unit(most, "N/m") +
+               " has left; a wave with P = " + with_unit(force, "N/m") +
+               " leaves another, so that F_T and S of it are wrong by far more than the error that is told",
+           "reduce the case with a load of about that size", true}};
 }
 
 /// Warning slides_on: S is that of loads that stop where the wave ends.
@@ -170,13 +266,31 @@ NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector
   for (const WaveResponses& response : responses)
     if (response.force.size() > 0)
       largest = std::max(largest, static_cast<double>(response.force.cwiseAbs().maxCoeff()));
-  constexpr double g = 9.81;
-  const double weight = model.base ? model.base->weight : model.caisson_mass * g;
+  const double weight = model.base ? model.base->weight : model.caisson_mass * earth;
   NumberedWarnings list;
   if (!(weight > 0.) || are_unit_loads(files)) return list;
   judge("the largest force of the waves", largest,
         of(quantities::load_on_weight, weight, "N/m", "beside the caisson's weight"), list);
   return list;
+}
+
+NumberedWarnings cut_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                              const std::vector<WaveResponses>& responses) {
+  NumberedWarnings all;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const WaveFile& file = files[i];
+    const double end = responses[i].time.back();
+    if (end >= whole_answer(model, file) * (1. - 1e-9)) continue;
+    std::vector<Action> actions;
+    for (Eigen::Index row = 0; row < file.value.rows(); ++row) {
+      if (file.value.row(row).isZero(0.)) continue;
+      const Eigen::RowVectorXd value = file.value.row(row);
+      actions.push_back(action_of(file.name, "a later time", file.time, {{value.begin(), value.end()}}));
+    }
+    append(all, end_warnings(actions, end, "--end"));
+    append(all, answer_warnings(actions, end, of_rebound / rebound * longest_period(model.modes), "--end"));
+  }
+  return first_of_each(all, "more of the waves and loads, too");
 }
 
 NumberedWarnings uplift_warnings(const ReducedModelFile& model) {
@@ -193,7 +307,8 @@ NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::v
   append(list, uplift_warnings(model));
   for (const NumberedWarnings& more :
        {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), contact_warnings(files),
-        endless_warnings(files), lift_warnings_of(files), circle_warnings_of(files)})
+        solved_warnings(files), pore_warnings(files), soil_warnings(model, files), endless_warnings(files),
+        lift_warnings_of(files), circle_warnings_of(files)})
     append(list, more);
   return list;
 }

@@ -18,6 +18,10 @@ NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files);
 NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                 const std::vector<WaveResponses>& responses);
 
+/// Warnings load_cut, load_zero and answer_cut of waves whose answer --end cuts, as of a run.
+NumberedWarnings cut_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                              const std::vector<WaveResponses>& responses);
+
 /// Warning uplift_left_out: the case's prescribed uplift is a record of its own wave, which no answer has.
 NumberedWarnings uplift_warnings(const ReducedModelFile& model);
 

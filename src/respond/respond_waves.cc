@@ -202,13 +202,13 @@ double longest_step(const Common& common, const WaveFile& file) {
 }
 
 /// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
-/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads.
+/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads;
+/// in each case until it has answered most and rebounded, which answer_warnings() asks of a run.
 double echo_of(const ReducedModelFile& model) {
-  double period = 0., load = 0.;
-  for (const std::complex<double>& pole : model.modes.pole)  // one that decays within a period does not swing on
-    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+  const double period = longest_period(model.modes);
+  double load = 0.;
   for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
-  return std::min(3. * period, std::max(0., model.end - load));
+  return std::clamp(model.end - load, of_rebound * period, 3. * period);
 }
 
 /// What the waves of one file have in common, and their results.
@@ -221,7 +221,7 @@ class FileWork {
         options_(common.options),
         force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
         longest_step_(longest_step(common, file)),
-        end_(options_.end ? *options_.end : end_of_answer(file, model_.end, echo_of(model_))),
+        end_(options_.end.value_or(whole_answer(model_, file))),
         grid_(make_wave_grid(file.time, longest_step_, end_)),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
         checks_(common.checks.of(check_time_)),
@@ -303,6 +303,17 @@ class FileWork {
     out.slides_on = slid && !(normal > 0. && std::abs(force) <= bottom.friction * normal);
   }
 
+  /// As warnings_of_pores() of a run asks: contact node by node has the pores' uplift itself.
+  void set_left_out(const EffectiveBase& base, const Eigen::RowVectorXd& F, WaveResponse& out) const {
+    constexpr double counts = 0.05;  // of W'
+    const ModelSliding& bottom = *options_.sliding;
+    const double U = *std::max_element(base.uplift.begin(), base.uplift.end());
+    if (bottom.uplift != "none" || model_.contact || !(U > counts * bottom.submerged_weight)) return;
+    out.left_out_uplift = U;
+    out.slides_by_left_out_uplift =
+        F.cwiseAbs().maxCoeff() + bottom.friction * U > bottom.friction * bottom.submerged_weight;
+  }
+
   void set_base(const WaveSamples& loads, const Eigen::RowVectorXd& prescribed, const Eigen::RowVectorXd& shear,
                 bool batch, WaveResponse& out) const {
     const EffectiveBase base = base_->answer(loads, grid_, batch, prescribed, pushes_seaward_alone(force_ * loads));
@@ -311,6 +322,7 @@ class FileWork {
     if (const EdgeStress least = least_edge_stress(base, grid_.time); least.stress < 0.) out.tension = least;
     if (!options_.sliding) return;
     const BaseExtremes worst = base_extremes(base, grid_.time);
+    set_left_out(base, F, out);
     out.peak_heel_pressure = worst.peak_heel_pressure;
     out.peak_toe_pressure = worst.peak_toe_pressure;
     out.least_overturning_margin = worst.least_overturning_margin;
@@ -349,6 +361,17 @@ void require_caisson(const ModalModel& modes) {
 }
 
 }  // namespace
+
+double longest_period(const ModalModel& modes) {
+  double period = 0.;
+  for (const std::complex<double>& pole : modes.pole)  // one that decays within a period does not swing on
+    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+  return period;
+}
+
+double whole_answer(const ReducedModelFile& model, const WaveFile& file) {
+  return end_of_answer(file, model.end, echo_of(model));
+}
 
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options) {

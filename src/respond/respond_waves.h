@@ -19,6 +19,15 @@ struct RespondOptions {
   AskedHistories histories{};           ///< readings whose histories are kept
 };
 
+/// Of a period after a short pulse, when the section has rebounded (Chopra, Dynamics of Structures, ch. 4).
+constexpr double of_rebound = 0.75;
+
+/// The longest period with which a section swings on (s).
+double longest_period(const ModalModel& modes);
+
+/// When the answer to a file's waves ends where nobody asks for less (s).
+double whole_answer(const ReducedModelFile& model, const WaveFile& file);
+
 /// Computes all waves on all cores; the numbers do not depend on how many. Throws InputError where the model has no
 /// caisson, or where the results would not fit into memory; std::out_of_range where it lacks a reading.
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,

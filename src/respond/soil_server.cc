@@ -83,7 +83,10 @@ std::string SoilServer::answer_soil(const Soil& whole) const {
   options.histories.fewer = std::make_shared<const ModalModel>(member.fewer);
   options.histories.safety = member.model.nested->safety;
   const std::vector<WaveResponses> responses = respond_to_waves(member.model, waves_, options);
-  return soil_line({member.model, "", whole}, responses, warnings_of_answers(member.model, responses));
+  NumberedWarnings warnings = warnings_of_files(waves_);
+  append(warnings, cut_warnings(member.model, waves_, responses));
+  append(warnings, warnings_of_answers(member.model, responses));
+  return soil_line({member.model, "", whole}, responses, warnings);
 }
 
 }  // namespace upbead

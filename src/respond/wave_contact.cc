@@ -147,26 +147,24 @@ double WaveContacts::apparent_period(double s, double arm) const {
   return 0.;
 }
 
-/// Those of a run with these loads.
+/// Those of a run with these loads; not longer than the case asks for.
 TimeGrid WaveContacts::steps_of(const LoadsOfWave& loads) const {
   constexpr int order = 2;  // of steps with contact
   const double end = loads.scene.time.end;
-  double step = contact_.step;
-  if (!(step > 0.)) {
-    const LoadStep of_loads = step_of_loads(loads.scene, order);
-    const auto period_at = [&](double s) {
-      const std::lock_guard<std::mutex> hold(lock_);
-      const auto [place, is_new] = periods_.try_emplace({s, loads.arm});
-      if (is_new) place->second = apparent_period(s, loads.arm);
-      return place->second;
-    };
-    double period = period_at(pi / of_loads.duration);
-    for (int i = 0; i < 2 && of_loads.lone_jump && period > 0.; ++i) period = period_at(pi / period);
-    const double of_period = std::min(step_fraction(loads.scene, order) * period, end);
-    step = of_loads.largest_step;
-    if (period > 0.) step = of_loads.lone_jump ? of_period : std::min(of_period, step);
-    step *= contact_step;
-  }
+  const LoadStep of_loads = step_of_loads(loads.scene, order);
+  const auto period_at = [&](double s) {
+    const std::lock_guard<std::mutex> hold(lock_);
+    const auto [place, is_new] = periods_.try_emplace({s, loads.arm});
+    if (is_new) place->second = apparent_period(s, loads.arm);
+    return place->second;
+  };
+  double period = period_at(pi / of_loads.duration);
+  for (int i = 0; i < 2 && of_loads.lone_jump && period > 0.; ++i) period = period_at(pi / period);
+  const double of_period = std::min(step_fraction(loads.scene, order) * period, end);
+  double step = of_loads.largest_step;
+  if (period > 0.) step = of_loads.lone_jump ? of_period : std::min(of_period, step);
+  step *= contact_step;
+  if (contact_.step > 0.) step = std::min(step, contact_.step);
   std::vector<double> kinks = loads.P.kinks();
   for (const UpliftLoad& load : uplift_of(loads))
     kinks.insert(kinks.end(), load.pressure.kinks().begin(), load.pressure.kinks().end());

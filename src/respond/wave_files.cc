@@ -238,22 +238,15 @@ WaveFile read_csv_wave(const std::string& path, const Names& loads, const Names&
   return file;
 }
 
-/// What is lost in the waves of a file: of each kind the first, and how many more.
-void note_losses(WaveFile& file) {
-  std::map<std::string, NumberedWarning> first;
-  std::map<std::string, int> number;
+/// What the records of a file's waves are wrong by, where an answer goes on until `end`.
+void note_faults(WaveFile& file, double end) {
+  NumberedWarnings all;
   for (Eigen::Index row = 0; row < file.value.rows(); ++row) {
     const Eigen::RowVectorXd values = file.value.row(row);
-    const Record record{file.name, file.time, {values.data(), values.data() + values.size()}};
-    for (const NumberedWarning& lost : lost_samples(record)) {
-      first.emplace(lost.name, lost);
-      ++number[lost.name];
-    }
+    if (values.isZero(0.)) continue;  // load_zero
+    append(all, record_warnings({file.name, file.time, {values.data(), values.data() + values.size()}, end}));
   }
-  for (auto& [name, warning] : first) {
-    if (number[name] > 1) warning.what += "; " + std::to_string(number[name] - 1) + " more of its waves and loads, too";
-    file.notes.warnings.push_back(warning);
-  }
+  append(file.notes.warnings, first_of_each(all, "more of its waves and loads, too"));
 }
 
 /// Appends -2, -3, ... to a name that another file has, too.
@@ -268,14 +261,30 @@ void number_duplicates(std::vector<WaveFile>& files) {
 
 }  // namespace
 
+NumberedWarnings first_of_each(const NumberedWarnings& all, const std::string& others) {
+  std::map<std::string, NumberedWarning> first;
+  std::map<std::string, int> number;
+  for (const NumberedWarning& warning : all) {
+    NumberedWarning& one = first.emplace(warning.name, warning).first->second;
+    if (warning.voids && !one.voids) one = warning;
+    ++number[warning.name];
+  }
+  NumberedWarnings list;
+  for (auto& [name, warning] : first) {
+    if (number[name] > 1) warning.what += "; " + std::to_string(number[name] - 1) + " " + others;
+    list.push_back(warning);
+  }
+  return list;
+}
+
 std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, const std::vector<std::string>& loads,
-                                      const std::vector<std::string>& units) {
+                                      const std::vector<std::string>& units, double end) {
   Diagnostics mistakes;
   std::vector<WaveFile> files;
   for (const std::string& path : paths) try {
       files.push_back(is_hdf5(path) ? read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
       files.back().name = fs::path(path).stem().string();
-      note_losses(files.back());
+      note_faults(files.back(), end);
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());
     }

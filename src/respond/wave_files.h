@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "case/records/record_layout.h"
 #include "dynamics/batch_response.h"
 
@@ -27,8 +28,11 @@ struct WaveFile {
 /// where known; a unit in the file is converted, and must be one of the same quantity.
 /// - CSV: a column of times (s), then columns named like loads; of a model with one load, one column of any name.
 /// - HDF5 (.h5, .hdf5): /time (N) and /LOAD, (waves x N) or (N), the latter for all waves of the file.
-/// Throws InputError with the mistakes of all files.
+/// `end`: until when they are answered at least (s). Throws InputError with the mistakes of all files.
 std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, const std::vector<std::string>& loads,
-                                      const std::vector<std::string>& units = {});
+                                      const std::vector<std::string>& units = {}, double end = infinity);
+
+/// Of each kind the first, rather one that voids; `others` tells of the rest, after their number.
+NumberedWarnings first_of_each(const NumberedWarnings& all, const std::string& others);
 
 }  // namespace upbead

@@ -22,6 +22,7 @@ def triangle(peak, rise, duration):
 
 
 STRONG = {"a": triangle(8e6, 0.1, 0.25), "b": triangle(7e6, 0.09, 0.22), "weak": triangle(1e6, 0.1, 0.25)}
+HUGE = triangle(35e6, 0.1, 0.25)
 WEAKER = {"a": triangle(2e6, 0.1, 0.25), "b": triangle(2e6, 0.11, 0.4)}
 
 
@@ -58,7 +59,8 @@ class RespondContact(ProgramTest):
         (self.folder / "case.toml").write_text(section("a", **scene))
         self.told("reduce", "case.toml", "--out", "model")
         found = self.told("respond", "model/reduced.h5", *[f"{name}.csv" for name in waves], "--end", END, "--out", "answers")
-        self.assertNotIn("no_contact", [warning["name"] for warning in found["warnings"]])
+        self.told_of = {warning["name"]: warning for warning in found["warnings"]}
+        self.assertNotIn("no_contact", self.told_of)
         return {wave["name"]: wave for wave in found["waves"]}
 
     def run_of(self, wave, **scene):
@@ -95,6 +97,8 @@ class RespondContact(ProgramTest):
 
     def test_a_base_that_lifts_under_uplift(self):
         waves = self.answers(STRONG, uplift=UPLIFT)
+        self.assertIn("no_settlement", self.told_of)
+        self.assertFalse({"still_slides", "rocks_on_edge"} & set(self.told_of), self.told_of)
         for name in ("a", "b"):
             self.expect_same(waves[name], self.run_of(name, uplift=UPLIFT), 8)
         self.assertLess(waves["a"]["contact"]["solved"]["least_contact"], 0.8)
@@ -113,6 +117,25 @@ class RespondContact(ProgramTest):
         self.assertIsNone(run["contact"]["solved"])
         self.assertAlmostEqual(wave["contact"]["glued"]["slip"] / run["contact"]["glued"]["slip"], 1, delta=5e-3)
         self.assertAlmostEqual(wave["response"]["peak_shear"] / run["response"]["peak_shear"], 1, delta=5e-3)
+
+    def test_what_a_run_says_of_a_wave_is_said(self):
+        """A wave that throws the caisson off its mound, steps of the case that are too long for a wave, and --end."""
+        self.write({**STRONG, "huge": HUGE})
+        (self.folder / "case.toml").write_text(section("a", uplift=UPLIFT))
+        self.told("reduce", "case.toml", *with_keys(["time.step=0.06"]), "--out", "model")
+        found = self.told("respond", "model/reduced.h5", "huge.csv", "b.csv", "--end", END, "--out", "answers")
+        told = {warning["name"]: warning for warning in found["warnings"]}
+        for name in ("still_slides", "rocks_on_edge", "no_settlement"):
+            self.assertIn("in ", told[name]["text"])
+            self.assertIn("huge", told[name]["text"])
+        self.assertIn("still_slides", found["why_void"])
+        slip = found["waves"][1]["contact"]["solved"]["slip"]
+        run = self.run_of("b", uplift=UPLIFT)["contact"]["solved"]
+        self.assertLess(abs(slip - run["slip"]), run["ground"]["slip"])
+        for end, name in ((0.2, "load_cut"), (0.25, "answer_cut")):
+            found = self.told("respond", "model/reduced.h5", "b.csv", "--end", end, "--out", "cut")
+            self.assertIn(name, {warning["name"] for warning in found["warnings"]})
+        self.assertEqual(found["why_void"], "answer_cut")
 
     def test_ground_without_damping(self):
         waves = self.answers(WEAKER, damped=False)

@@ -99,6 +99,37 @@ TEST(RespondWaves, AWaveAfterTheCaseRingsDownAsOneWithinIt) {
   }
 }
 
+TEST(RespondWaves, ACaseThatEndsWithItsLoadDoesNotCutTheReboundOfAWave) {
+  ReducedModelFile brief = oscillator(), whole = oscillator();
+  brief.end = 0.15;
+  for (ModelLoad& load : brief.loads) load.duration = brief.end;
+  const WaveFile file = triangle(0.0005);
+  const WaveResponses found = respond_to_waves(brief, {file}, {}).front(),
+                      expected = respond_to_waves(whole, {file}, {}).front();
+  EXPECT_NEAR(found.waves[0].peak_shear_seaward, expected.waves[0].peak_shear_seaward,
+              1e-9 * expected.waves[0].peak_shear);
+  EXPECT_NEAR(found.time.back(), 0.15 + 0.75 * longest_period(brief.modes), 2e-3);
+}
+
+NumberedWarnings told_of_end(const WaveFile& file, double end) {
+  const ReducedModelFile model = oscillator();
+  RespondOptions options;
+  options.end = end;
+  return cut_warnings(model, {file}, respond_to_waves(model, {file}, options));
+}
+
+TEST(RespondWaves, AnEndThatCutsAWaveOrItsAnswerIsTold) {
+  const WaveFile file = triangle(0.0005);
+  EXPECT_TRUE(told_of_end(file, 0.6).empty());
+  for (const auto& [end, name] : {std::pair(0.05, "load_cut"), std::pair(0.16, "answer_cut")}) {
+    const NumberedWarnings list = told_of_end(file, end);
+    ASSERT_EQ(list.size(), 1U) << end;
+    EXPECT_EQ(list[0].name, name);
+    EXPECT_TRUE(list[0].voids);
+    EXPECT_NE(list[0].cure.find("--end"), std::string::npos);
+  }
+}
+
 TEST(RespondWaves, PeaksAreFoundBetweenTheSamples) {
   const WaveResponse coarse = answer(triangle(0.0009375)).waves[0], fine = answer(triangle(0.00009375)).waves[0];
   EXPECT_NEAR(coarse.peak_shear, fine.peak_shear, 1e-7 * fine.peak_shear);

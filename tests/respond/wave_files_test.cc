@@ -116,6 +116,26 @@ TEST_F(WaveFiles, WhatIsLostIsTold) {
   EXPECT_EQ(read_wave_files({"d.csv"}, one_load).front().notes.warnings.front().name, "record_dropout");
 }
 
+/// As of a history of a run: one that begins in the middle, is clipped, or stops at its peak while the answer goes on.
+TEST_F(WaveFiles, RecordsAreLookedAtAsThoseOfARun) {
+  const auto told = [](double from, double to, double most) {
+    std::string rows = "t,impact\n";
+    for (int i = 0; i * 0.005 < to - from; ++i)
+      rows += std::to_string(0.005 * i) + "," +
+              std::to_string(std::min(most, std::max(0., std::sin(3. * (from + 0.005 * i - 0.2))))) + "\n";
+    write("w.csv", rows);
+    std::vector<std::string> names;
+    for (const NumberedWarning& warning : read_wave_files({"w.csv"}, two_loads, {}, 4.).front().notes.warnings)
+      if (warning.voids) names.push_back(warning.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(told(0., 1.3, 2.), Names());
+  EXPECT_EQ(told(0.7, 1.3, 2.), Names{"record_begun"});
+  EXPECT_EQ(told(0., 1.3, 0.7), Names{"record_saturated"});
+  EXPECT_EQ(told(0., 0.72, 2.), Names{"record_cut"});
+}
+
 TEST_F(WaveFiles, EqualNamesAreNumbered) {
   std::filesystem::create_directory("a");
   for (const char* path : {"w.csv", "a/w.csv", "v.csv"}) write(path, "t,p\n0,1\n1,2\n");
