@@ -11,6 +11,8 @@ namespace upbead {
 /// Differences of nested models, which are about the error of the smaller one, count so many times: see
 /// docs/reference/methods.md.
 constexpr double margin_of_ground = 5.;
+/// Of the largest slip: what the patch around the base may cost, which all levels share; 0.12 % was seen.
+constexpr double of_patch = 2e-3;
 /// F_T(t) may be wrong by this multiple of what its peak may: where nodes come to rest a little later it differs more.
 constexpr double of_history = 10.;
 

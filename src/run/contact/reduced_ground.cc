@@ -153,6 +153,7 @@ std::string why_ground_is_whole(const Simulation& simulation) {
   if (scene.fields_every || has_strength(scene) || builds_pressure(scene) || scene.limits.liquefaction)
     return "the case asks for what is found in all cells";
   if (simulation.accuracy() || scene.accuracy.estimate) return "the case asks for the error by cells and steps";
+  if (scene.tolerance < of_patch) return "a tolerance below 0.2 % is finer than what the patch around the base costs";
   return "";
 }
 
