@@ -141,12 +141,27 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
            "widen the caisson, or spread its weight seaward"}};
 }
 
+/// Warning rocks_on_edge where the reaction stays on ground that gives way, though the loads overturn the caisson.
+NumberedWarnings overturning_warnings(const BaseSummary& base, const NodeContact& contact) {
+  if (!contact.first_open || !(base.static_overturning_margin.value_or(1.) < 1.)) return {};
+  const double opening = std::max(contact.opening_seaward, contact.opening_landward);
+  return {{"rocks_on_edge", opening, 0., "m",
+           "the loads without motion overturn the caisson, by a margin of " +
+               significant(*base.static_overturning_margin, 4) + ", and an edge lifts by up to " +
+               with_unit(opening, "m") +
+               ": the reaction of ground that gives way stays on the base, so that the margin "
+               "against overturning in motion, " +
+               significant(base.least_overturning_margin.value_or(0.), 4) +
+               ", tells only that these loads are too short to turn it over",
+           "judge by base.static_overturning_margin where the loads may last; widen the caisson, or make it heavier"}};
+}
+
 /// Warning rocks_on_edge: a caisson that is followed node by node stands on one edge of its base alone, or on none.
 NumberedWarnings rocking_warnings(const Summary& summary) {
   if (!summary.base || !is_solved_with_friction(summary)) return {};
   const BaseSummary& base = *summary.base;
-  if (base.peak_heel_pressure && base.peak_toe_pressure) return {};
   const NodeContact& contact = *summary.contact->solved;
+  if (base.peak_heel_pressure && base.peak_toe_pressure) return overturning_warnings(base, contact);
   const bool heel = !base.peak_heel_pressure;
   const double opening = heel ? contact.opening_seaward : contact.opening_landward;
   if (contact.least_contact == 0.)

@@ -1,5 +1,6 @@
 #include "findings/border_warnings.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -19,12 +20,20 @@ struct OuterBorder {
   double up = 0., down = 0., length = 0., lowest = infinity;
   std::set<RegionKind> kinds;
   bool has_pore_water = false;
+  double modulus = infinity;  ///< least G of soil behind it (Pa)
 
   bool faces_up() const { return 2. * up > length; }
   bool faces_down() const { return 2. * down > length; }
   bool is_soil() const { return kinds.count(RegionKind::porous) + kinds.count(RegionKind::solid) > 0; }
   bool is_water() const { return kinds == std::set{RegionKind::water}; }
 };
+
+/// G (Pa), of a law of stress that at its reference; 0 of what is no soil.
+double shear_modulus_of(const Region& region) {
+  if (region.stress_law) return region.stress_law->reference;
+  if (region.shear_modulus) return *region.shear_modulus;
+  return region.youngs_modulus ? *region.youngs_modulus / (2. * (1. + region.poissons_ratio.value_or(0.))) : 0.;
+}
 
 std::map<std::string, OuterBorder> borders_of(const Simulation& simulation) {
   constexpr double level = 0.7;  // of a normal: slopes up to 45 degrees
@@ -42,6 +51,7 @@ std::map<std::string, OuterBorder> borders_of(const Simulation& simulation) {
       if (across > level * length) (up ? border.up : border.down) += length;
       border.lowest = std::min({border.lowest, face->vertex(0)[1], face->vertex(1)[1]});
       border.kinds.insert(region->second.kind);
+      if (const double G = shear_modulus_of(region->second); G > 0.) border.modulus = std::min(border.modulus, G);
       border.has_pore_water =
           border.has_pore_water || (region->second.kind == RegionKind::porous && region->second.flow != Flow::drained);
     }
@@ -74,6 +84,15 @@ NumberedWarnings warnings_of_top(const std::string& curve, const OuterBorder& bo
   return list;
 }
 
+/// Whether a condition, or springs and dashpots along the normal that are not trifling beside ground of that height,
+/// bear it.
+bool bears(const Boundary& given, const OuterBorder& border, double height) {
+  constexpr double share = 0.1, light = 1500.;  // kg/m3, of soil
+  return given.displacement != DisplacementCondition::free ||
+         (given.spring && (*given.spring)[0] >= share * border.modulus / height) ||
+         (given.dashpot && (*given.dashpot)[0] >= share * std::sqrt(light * border.modulus));
+}
+
 }  // namespace
 
 NumberedWarnings border_warnings(const Simulation& simulation) {
@@ -84,9 +103,9 @@ NumberedWarnings border_warnings(const Simulation& simulation) {
   for (const auto& [curve, border] : borders_of(simulation)) {
     const auto found = scene.boundaries.find(curve);
     const Boundary given = found == scene.boundaries.end() ? Boundary() : found->second;
-    const bool bears = given.displacement != DisplacementCondition::free || given.spring || given.dashpot;
-    const bool is_below = border.lowest < simulation.compiled()->caisson->bottom_centre[1];  // no deck on the caisson
-    if (border.faces_down() && border.is_soil() && is_below && !bears && !is_moved(scene, curve))
+    const double height = simulation.compiled()->caisson->bottom_centre[1] - border.lowest;  // a deck on it has none
+    if (border.faces_down() && border.is_soil() && height > 0. && !bears(given, border, height) &&
+        !is_moved(scene, curve))
       list.push_back(about("base_free", curve, border.length,
                            "the lower border of the ground, is free: nothing bears the ground there, so that it floats "
                            "under the caisson, and what presses on it carries nothing",

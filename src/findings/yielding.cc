@@ -173,11 +173,23 @@ SkippedList skipped_estimate(const Simulation& simulation, bool) {
 }
 
 /// A check that holds where the motion ends, but did not at `worst` in the last fifth of the run, has judged a moment
-/// of a swing.
-Check at_rest(const Check& check, double worst) {
-  if (!check.holds || !*check.holds || worst <= *check.capacity) return check;
-  return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it was at " +
-                                with_unit(worst, check.unit) + ", beyond the limit");
+/// of a swing; one that would not hold if it `moved` as far again, a moment of a creep.
+Check at_rest(const Check& check, double worst, double moved) {
+  if (!check.holds || !*check.holds) return check;
+  if (worst > *check.capacity)
+    return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it was at " +
+                                  with_unit(worst, check.unit) + ", beyond the limit");
+  if (*check.demand + moved > *check.capacity)
+    return not_checked(check, "the caisson has not come to rest: it moved by " + with_unit(moved, check.unit) +
+                                  " in the last fifth of the run, and as much again passes the limit");
+  return check;
+}
+
+/// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
+double worst_residual(const Summary& summary, const std::function<double(const ResidualSummary&)>& of) {
+  double worst = of(*summary.residual);
+  for (const StartBound& bound : summary.nonlinear->bounds) worst = std::max(worst, of(bound.residual));
+  return worst;
 }
 
 /// Sand that packs denser settles on while its water drains.
@@ -194,19 +206,18 @@ Check drained(const Check& check, const std::vector<CompactedSoil>& soils) {
 
 /// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
 /// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
-/// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
+/// ground, bonded. For hysteretic soil it is that from the start with the largest.
 Check displacement_check(const Summary& summary, const Limits& limits) {
   const bool slipped = summary.contact && summary.contact->solved;
-  const double carried = std::abs(summary.residual->displacement_x);
+  using R = ResidualSummary;
+  const auto worst = [&](const auto& of) { return worst_residual(summary, of); };
+  const double carried = worst([](const R& r) { return std::abs(r.displacement_x); });
   const double slip = summary.sliding && !slipped ? std::abs(summary.sliding->design.value) : 0.;
   std::string how = slipped ? "slip node by node counts in it"
                             : "carried by the ground, bonded, and the sliding distance over the mound";
-  const StartBound* farthest = nullptr;
   for (const StartBound& bound : summary.nonlinear->bounds)
-    if (std::abs(bound.residual.displacement_x) > (farthest ? std::abs(farthest->residual.displacement_x) : carried))
-      farthest = &bound;
-  if (farthest)
-    how += "; from the start " + farthest->start + " carried " + with_unit(farthest->residual.displacement_x, "m");
+    if (std::abs(bound.residual.displacement_x) == carried && carried > std::abs(summary.residual->displacement_x))
+      how += "; from the start " + bound.start + " carried " + with_unit(bound.residual.displacement_x, "m");
   const DesignSliding* design = summary.sliding ? &summary.sliding->design : nullptr;
   const Check check =
       held_to(check_of(FailureMode::sliding_distance, "displacement with the ground", "m",
@@ -214,14 +225,8 @@ Check displacement_check(const Summary& summary, const Limits& limits) {
                        slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
               limits, &Limits::sliding);
   const bool ends = !design || design->why_not_all.empty() || (check.holds && !*check.holds);
-  return ends ? at_rest(check, largest_of(summary.residual->range_x) + slip) : not_checked(check, design->why_not_all);
-}
-
-/// The worst of a residual of all starts of the soil; `bounds` are empty where there is one start.
-double worst_residual(const Summary& summary, const std::function<double(const ResidualSummary&)>& of) {
-  double worst = of(*summary.residual);
-  for (const StartBound& bound : summary.nonlinear->bounds) worst = std::max(worst, of(bound.residual));
-  return worst;
+  return ends ? at_rest(check, worst([](const R& r) { return largest_of(r.range_x); }) + slip, worst(moved_x))
+              : not_checked(check, design->why_not_all);
 }
 
 Checks displacement_checks(const Scene& scene, const Summary& summary) {
@@ -236,10 +241,10 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
   const Check tilted = check_of(FailureMode::tilt, "tilt", "rad", tilt, "residual.rotation", how);
   return {displacement_check(summary, scene.limits),
           drained(at_rest(held_to(settled, scene.limits, &Limits::settlement),
-                          worst([](const R& r) { return std::max(-r.range_y[0], 0.); })),
+                          worst([](const R& r) { return std::max(-r.range_y[0], 0.); }), worst(moved_y)),
                   summary.densification),
           at_rest(held_to(tilted, scene.limits, &Limits::tilt),
-                  worst([](const R& r) { return largest_of(r.range_rotation); }))};
+                  worst([](const R& r) { return largest_of(r.range_rotation); }), worst(moved_rotation))};
 }
 
 /// Warning still_moves: the caisson is not yet where it will stay.

@@ -34,9 +34,13 @@ DOUBTS = (
     ("regions.seabed.damping={ ratio = 0.05, frequencies = [100, 1000] }", "implausible"),
     ("boundaries.base.displacement=free", "base_free"),
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e8] }", None),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1, 1] }", "base_free"),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", dashpot = [1, 1] }", "base_free"),
     ("boundaries.mound_surface.displacement=fixed", "ground_held"),
     ("time.end=0.16", "answer_cut"),
     ("loads.impulse.pulse={ shape = \"triangle\", peak = 1e6, duration = 0.15, start = 0.44 }", "answer_cut"),
+    ("loads.trifle={ boundary = \"front\", kind = \"force\", pulse = { shape = \"triangle\", peak = 10, duration = 0.15, "
+     "start = 0.44 } }", None),
     ("loads.impulse.boundary=base", "load_zero"),
     ("limits={ settlement = 0.05, tilt = 0.01, overturning = 1.2, circles = 1 }", None),
     ("limits.settlement=5", "implausible"),
@@ -170,6 +174,14 @@ end = 0.8
                                            ("moved_rotation", "rotation", 1e-5))]
         self.assertTrue(any(moves))
         self.assertIn("still_moves", {warning["name"] for warning in found["warnings"]})
+
+    def test_nodes_that_slip_on_under_loads_that_go_on_are_not_judged(self):
+        nodes = ("regions.caisson.interface={ kind = \"friction\" }", "initial.water_level=15", "limits.sliding=0.1",
+                 "loads.held={ boundary = \"front\", kind = \"force\", pulse = { shape = \"step\", peak = 0.6e6, duration = 0.5 } }",
+                 "loads.impulse.pulse={ shape = \"harmonic\", peak = 1.5e6, period = 2 }", "time.end=6")
+        found = self.ask("run", *nodes)
+        self.assertNotEqual(found["contact"]["solved"]["slip"], 0)
+        self.assertIn("still slipped", found["sliding"]["design"]["why_not_all"])
 
     def test_a_rebound_is_no_check_of_the_landward_direction(self):
         for way, why in (("[1, 0]", False), ("[-1, 0]", True)):

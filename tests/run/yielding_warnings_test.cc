@@ -29,5 +29,35 @@ TEST(YieldingWarnings, TellSlipLinesAndLargeStrains) {
   EXPECT_TRUE(yielding_warnings(Summary()).empty());
 }
 
+/// Of hysteretic soil with another start, and a caisson that ends at 50 mm.
+Check displacement(double moved, double of_other_start) {
+  Scene scene;
+  scene.limits.sliding = 0.1;
+  Summary summary;
+  summary.residual.emplace().displacement_x = 0.05;
+  summary.residual->range_x = {0.05 - moved, 0.05};
+  StartBound other;
+  other.start = "virgin";
+  other.residual.displacement_x = of_other_start;
+  other.residual.range_x = {of_other_start, of_other_start};
+  summary.nonlinear.emplace().bounds = {other};
+  for (const Check& check : yielding_finding().checks(scene, summary))
+    if (check.name == "displacement with the ground") return check;
+  return {};
+}
+
+TEST(YieldingWarnings, ACreepThatWouldPassTheLimitIsNotJudged) {
+  EXPECT_TRUE(displacement(0.01, 0.).holds.value_or(false));
+  const Check creeps = displacement(0.06, 0.);
+  EXPECT_FALSE(creeps.holds.has_value());
+  EXPECT_NE(creeps.why_not.find("moved by 0.06 m"), std::string::npos) << creeps.why_not;
+}
+
+TEST(YieldingWarnings, TheStartWithTheLargestDisplacementIsJudged) {
+  const Check check = displacement(0., 0.35);
+  EXPECT_EQ(check.demand, 0.35);
+  EXPECT_FALSE(check.holds.value_or(true));
+}
+
 }  // namespace yielding_warnings_test
 }  // namespace upbead
