@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "expected_report.h"
+#include "output/limits.h"
 #include "output/output_schema.h"
 
 namespace upbead {
@@ -311,6 +312,7 @@ std::vector<OutputRow> rows_of_expected() {
 
 Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
   ToldExpected told{&design, &answer, &timing, {}, {}, checks_of(design, answer), warnings_of(design, answer), {}};
+  append(told.checks, unjudged_limits(design.tables.limits, told.checks, false));
   if (!answer.total.empty()) told.expected = headline_of(answer.total);
   if (answer.monte_carlo) told.of_life = headline_of(*answer.monte_carlo, answer.formula_lives);
   if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);

@@ -6,7 +6,9 @@
 #include <variant>
 
 #include "base/text.h"
+#include "case/strain_model.h"
 #include "fem/caisson/reading_names.h"
+#include "model/quantities.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
@@ -49,6 +51,30 @@ void check_mass(double mass, const Section& section, const Water& water, const P
                "the caisson of the model weighs " + significant(weight, 5) +
                    " N/m, that of [section] weight = " + significant(section.weight, 5) + " N/m",
                "give one caisson in both, within 1 %");
+}
+
+void check_width(const std::optional<ModelBase>& base, const Section& section, const Place& place,
+                 Diagnostics& mistakes) {
+  if (!base || std::abs(base->width / section.width - 1.) <= mass_tolerance) return;
+  mistakes.add(place,
+               "the caisson of the model is " + significant(base->width, 5) +
+                   " m wide, that of [section] width = " + significant(section.width, 5) + " m",
+               "give one caisson in both, within 1 %");
+}
+
+/// Warning implausible of an arm at which no wave acts: the model's load hardly changes in a time long beside its own
+/// periods, in which it is in balance with the ground.
+NumberedWarnings arm_warnings(const ReducedModelFile& file, int load, const Section& section) {
+  constexpr double slow = 0.01;  // 1/s
+  if (!has(file.modes, reading::base_moment)) return {};
+  const auto at = [&](const char* name) { return file.modes.transfer(file.modes.index(name), load, slow).real(); };
+  const Quantity of_height{"1", 0.2, 0.9, 0.3, 0.7, {}};
+  NumberedWarnings list;
+  judge("the arm above the bottom of the load '" + file.modes.load_name[static_cast<std::size_t>(load)] +
+            "' of the model",
+        at(reading::base_moment) / at(reading::shear_force),
+        of(of_height, section.foundation_depth + section.crest, "m", "a wave presses on the whole wall"), list);
+  return list;
 }
 
 /// Slip circles of the model are in the ground between its own two levels of still water.
@@ -129,6 +155,7 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
                      "' of the model puts no horizontal force on the caisson",
                  "name another one as load");
   check_mass(file.caisson_mass, section, water, place, mistakes);
+  check_width(file.base, section, place, mistakes);
   check_still_water(file.still, section, water, place, mistakes);
   mistakes.throw_if_any();
   WaveModel model{
@@ -140,6 +167,13 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
                                       reading::uplift_moment};
   if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))
     for (const char* name : base) model.shear.base.push_back(file.modes.index(name));
+  append(model.warnings, arm_warnings(file, load, section));
+  if (follows_strain(file))
+    model.warnings.push_back(
+        {"soil_of_other_wave", forces_of_case(file)[1], 0., "N/m",
+         "the soil of the model follows its strain: all waves are answered with the stiffness that P = " +
+             with_unit(forces_of_case(file)[1], "N/m") + " has left, though each leaves another",
+         "reduce the case with a load of about the size of the waves that slide the caisson, and look how S changes"});
   if (file.circles) model.shear.circles = std::make_shared<const CircleModel>(*file.circles);
   return model;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "output/limits.h"
 #include "output/output_text.h"
 #include "output/result_file.h"
 
@@ -99,7 +100,8 @@ std::string brief(const Design& design, const ExpectedAnswer& answer, const Json
   }
   if (answer.formula_lives) add("monte_carlo.by_formulas", by_law);
   keys.emplace_back("exceedance");
-  const Checks checks = checks_of(design, answer);
+  Checks checks = checks_of(design, answer);
+  append(checks, unjudged_limits(design.tables.limits, checks, false));
   return text + text_of(summary, rows_of_expected(), keys) +
          verdict_text(verdict_of(checks, warnings_of(design, answer)), checks);
 }

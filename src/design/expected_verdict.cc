@@ -13,7 +13,8 @@ namespace upbead {
 
 namespace {
 
-constexpr int few_lives = 50;  // with fewer lives that slide, a normal distribution of their mean is doubtful
+constexpr double mistaken = 2.;  // beyond what a sea brings by so much, a number is no scatter of a record
+constexpr int few_lives = 50;    // with fewer lives that slide, a normal distribution of their mean is doubtful
 
 const char* route_of(Law law) {
   return law == Law::dynamic ? "dynamics" : "formulas";
@@ -133,6 +134,21 @@ void add_record(const ExpectedAnswer& answer, const Limits& limits, Checks& list
     add_base({"highest wave", "expected.base.dynamic", assumption, Law::dynamic}, *answer.base.dynamic, limits, list);
 }
 
+/// Warnings table_not_used: what is forgotten, where nothing would draw its numbers or send its force.
+void add_unused(const Design& design, NumberedWarnings& list) {
+  const DesignTables& t = design.tables;
+  const auto add = [&](const std::string& what, const std::string& needs, const std::string& cure) {
+    list.push_back(
+        {"table_not_used", 1., 0., "1", what + " changes nothing: the file has no table [" + needs + "]", cure});
+  };
+  const auto& scatters = named_scatters();
+  if (!t.life &&
+      std::any_of(scatters.begin(), scatters.end(), [&](const auto& named) { return t.scatter.*named.table; }))
+    add("[scatter]", "life", "give [life], whose lives draw it, or remove [scatter]");
+  if (!t.dynamics && t.impact.force == ImpactForce::proverbs)
+    add("[impact] force = \"proverbs\"", "dynamics", "give [dynamics] model, which the impact is sent through");
+}
+
 /// Warns of sea states at the wall that no sea in deep water can cause.
 void add_impossible_seas(const std::vector<StateAnswer>& states, NumberedWarnings& list) {
   const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
@@ -148,7 +164,16 @@ void add_impossible_seas(const std::vector<StateAnswer>& states, NumberedWarning
            (std::isfinite(most.breaker)
                 ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
                 : ""),
-       "check significant_height (at the wall), period and water_depth"});
+       "check significant_height (at the wall), period and water_depth",
+       std::any_of(states.begin(), states.end(), [&](const StateAnswer& s) {
+         return impossible(s) && s.state.significant_height > mistaken * s.before.heights.significant;
+       })});
+}
+
+/// Whether numbers of waves are shares of the time, parts of 1 or of 100, or none.
+bool are_shares(double sum) {
+  constexpr double rounded = 0.01;
+  return std::abs(sum - 1.) <= rounded || std::abs(sum - 100.) <= 100. * rounded || sum == 0.;
 }
 
 /// Warns where the waves are hardly numbers of waves: shares or percent of the time, whose sum is rounded, or more than
@@ -162,7 +187,8 @@ void add_doubtful_numbers(double years, const ExpectedAnswer& answer, NumberedWa
     list.push_back({"few_waves", answer.all, percent, "1",
                     "all sea states together have " + significant(answer.all, 4) + " waves in " +
                         significant(years, 4) + " years: a share of the time is no number of waves",
-                    "give how many waves each row stands for: its share, times years over the mean period"});
+                    "give how many waves each row stands for: its share, times years over the mean period",
+                    are_shares(answer.all)});
   if (const double longest = of_mean * years; seconds > longest * year)
     list.push_back({"too_many_waves", seconds / year, longest, "years",
                     "the waves of all sea states last " + significant(seconds / year, 4) + " years, longer than the " +
@@ -320,6 +346,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   NumberedWarnings list = answer.notes.warnings;
   append(list, design.implausible);
   append(list, section_warnings(design.tables.section, design.tables.water));
+  add_unused(design, list);
   if (answer.model) append(list, answer.model->warnings);
   append(list, factor_warnings(checks_of(design, answer), design.tables.limits));
   const Limits& limits = design.tables.limits;

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "design/design_tables.h"
+#include "design/water_levels.h"
 #include "upbead/input/document.h"
 
 namespace upbead {
@@ -68,6 +69,12 @@ namespace {
 
 bool has_moments(RandomKind kind) {
   return kind != RandomKind::uniform && kind != RandomKind::triangular;
+}
+
+/// The mean, which is that of the design where none is given; of a uniform or triangular one the middle.
+double middle_of(const RandomVariable& v, double of_design) {
+  if (has_moments(v.kind)) return v.mean.value_or(of_design);
+  return v.mode.value_or(0.5 * (*v.low + *v.high));
 }
 
 /// What is contradictory in the moments of a variable whose mean is known.
@@ -142,6 +149,21 @@ void check_variables(const DesignTables& tables, const Document& document, Diagn
   }
 }
 
+/// The section with all means is a section as one that is given.
+void check_means(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  for (const char* table : {"reliability", "section", "fluid", "gravity"})
+    if (!report.sound(table)) return;
+  const DesignTables means = at_means(tables);
+  for (const auto& [at, what, cure] : diagnose(means.section))
+    report.add(document.place("reliability.variables"), "[reliability.variables]: with the means " + what, cure);
+  for (const auto& [name, variable] : tables.reliability->variables)
+    if (variable.acts_on == "water_level")
+      if (const Diagnostic wrong = misfit({name, middle_of(variable, 0.)}, means.section, means.water);
+          !wrong.what.empty())
+        report.add(document.place(dotted("reliability.variables", name)), "[reliability.variables]: " + wrong.what,
+                   wrong.cure);
+}
+
 void check_correlations(const ReliabilityTable& table, const Document& document, Diagnostics& report) {
   std::vector<std::string> names;
   for (const auto& [name, variable] : table.variables) names.push_back(name);
@@ -206,6 +228,13 @@ std::vector<RandomVariable> complete_variables(const DesignTables& tables) {
   return list;
 }
 
+DesignTables at_means(const DesignTables& tables) {
+  DesignTables means = tables;
+  for (const auto& [name, variable] : tables.reliability->variables)
+    if (double* number = number_at(means, variable.acts_on)) *number = middle_of(variable, *number);
+  return means;
+}
+
 void check_reliability(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (!tables.reliability) {
     report.add(document.place(""), "the design has no [reliability]",
@@ -215,6 +244,7 @@ void check_reliability(const DesignTables& tables, const Document& document, Dia
   check_methods(*tables.reliability, document, report);
   check_wave(tables, document, report);
   check_variables(tables, document, report);
+  check_means(tables, document, report);
   check_correlations(*tables.reliability, document, report);
 }
 

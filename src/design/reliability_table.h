@@ -108,6 +108,9 @@ std::optional<double> certain_value(const DesignTables& tables, const std::strin
 /// Variables with their means and deviations, in the order of their names, and correlations among them.
 std::vector<RandomVariable> complete_variables(const DesignTables& tables);
 
+/// The tables with the mean of every variable in its place, or the middle of one that is given by its ends.
+DesignTables at_means(const DesignTables& tables);
+
 /// Checks what `reliability` needs of the variables: what they act on, moments, ends, correlations.
 void check_reliability(const DesignTables& tables, const Document& document, Diagnostics& report);
 

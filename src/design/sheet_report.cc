@@ -171,7 +171,10 @@ std::string markdown(const Sheet& sheet) {
     for (const std::string& cell : cells) text += " " + cell + " |";  // empty ones, too
     text += "\n";
   }
-  return text +
+  Cells warnings;
+  for (const NumberedWarning& warning : sheet.warnings)
+    warnings.push_back((warning.voids ? "**" + warning.name + ", void:** " : warning.name + ": ") + warning.text());
+  return text + list_of("\n## What may be wrong\n", warnings, "- ") +
          list_of("\n## Measures that disagree\n\nBoth stand, and the worse governs.\n", differences(sheet), "- ") +
          list_of("\n## Not asked by this file\n", missing(sheet), "- ") +
          list_of("\n## Not covered by this program\n", sheet.not_covered, "- ");

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double shallowest = 1e-3;  // m, as formula_length()
 
-/// What is wrong with a level, and how to correct it.
+}  // namespace
+
 Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& water) {
   const Section there = at_water_level(section, water, level.rise);
   const std::string what = level.name + " = " + significant(level.rise, 6) + " m: ";
@@ -33,6 +34,8 @@ Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& 
             "give a lower level, or check submerged_weight"};
   return {};
 }
+
+namespace {
 
 /// The section at each level, and its own, with words that follow what is wrong there.
 std::vector<std::pair<std::string, Section>> sections_at_levels(const DesignTables& tables) {

@@ -24,6 +24,9 @@ extern const char* const level_of_section;
 /// The levels of a design and that of its section, the highest first; empty where the design has no levels.
 std::vector<WaterLevel> water_levels(const DesignTables& design);
 
+/// What is wrong with a level, and how to correct it; without words where nothing is.
+Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& water);
+
 /// Still water must stay above bed, mound and bottom and below the crest, and the caisson must not float.
 void check_water_levels(const DesignTables& tables, const Document& document, Diagnostics& report);
 

@@ -1,4 +1,5 @@
 #include "output/checks.h"
+#include "output/limits.h"
 #include "output/section_outputs.h"
 #include "waves_report.h"
 
@@ -181,6 +182,7 @@ std::vector<OutputRow> rows_of_waves() {
 Json to_json(const Design& design, const std::vector<WaveAnswer>& answers) {
   const DesignTables& tables = design.tables;
   ToldWaves told{&tables, &answers, checks_of(tables, answers), warnings_of(design, answers), {}};
+  append(told.checks, unjudged_limits(tables.limits, told.checks, false));
   told.verdict = verdict_of(told.checks, told.warnings);
   return waves_outputs().to_json(told);
 }

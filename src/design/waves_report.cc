@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "case/formula_checks.h"
+#include "output/limits.h"
 #include "output/output_text.h"
 #include "upbead/sliding/combined.h"
 
@@ -156,7 +157,8 @@ std::string brief(const Design& whole, const std::vector<WaveAnswer>& answers, c
   for (const WaveAnswer& a : answers)
     if (!a.levels.empty())
       text += table_of(summary["waves"][a.name]["levels"], rows, "waves.NAME.levels.LEVEL", columns, a.name + " at");
-  const Checks checks = checks_of(design, answers);
+  Checks checks = checks_of(design, answers);
+  append(checks, unjudged_limits(design.limits, checks, false));
   return text + verdict_text(verdict_of(checks, warnings_of(whole, answers)), checks);
 }
 

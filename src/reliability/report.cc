@@ -5,6 +5,7 @@
 #include "output/output_text.h"
 #include "reliability/answer.h"
 #include "upbead/waves/goda.h"
+#include "waves/section_warnings.h"
 
 namespace upbead {
 
@@ -154,6 +155,7 @@ std::string brief(const Design& design, const ReliabilityAnswer& answer, const J
 NumberedWarnings warnings_of(const Design& design, const ReliabilityAnswer& answer) {
   NumberedWarnings list = design.implausible;
   append(list, wave_warnings(design.tables, answer.wave));
+  append_new(list, section_warnings(at_means(design.tables).section, at_means(design.tables).water));
   append(list, answer.variables);
   append(list, one_level(design.tables));
   append(list, left_out(answer));

@@ -48,13 +48,15 @@ void judge_wave(const CheckedWave& s, NumberedWarnings& list) {
     list.push_back({"height_over_depth", H / h, 0.8, "1",
                     "H/h = " + significant(H / h) + " is beyond 0.8, where eq. (11) for tau_0F ends; 0.4 T is used",
                     "check height and water_depth, or take sliding distances as rough"});
+  constexpr double impossible = 2.;  // beyond any scatter of that limit, period or height is another number
   // Miche (1944): the steepest progressive wave at that depth.
   const double limit = 0.142 * s.L * std::tanh(boost::math::constants::two_pi<double>() * h / s.L);
   if (H > limit)
     list.push_back({"breaking_limit", H, limit, "m",
                     "H = " + metres(H) + " is above Miche's limit of breaking at the wall, " + metres(limit) +
                         ": such a wave breaks before",
-                    "give a height of at most " + metres(limit) + ", or check period and water_depth"});
+                    "give a height of at most " + metres(limit) + ", or check period and water_depth",
+                    H > impossible * limit});
   if (s.wave.significant_height >= H)
     list.push_back({"significant_height", s.wave.significant_height, H, "m",
                     "H_1/3 = " + metres(s.wave.significant_height) + " is not below H = " + metres(H) +
