@@ -38,8 +38,8 @@ OutputSchema<NumberIndices> number_outputs() {
       .key("case", &N::case_file, "", "its case")
       .key("number", &N::number, "", "path in the summary of a run")
       .key("points", &N::points, "", "of the sample, with the number in all their runs")
-      .key("left_out", &N::left_out, "", "points of which a run failed or has no such number")
-      .key("failed", &N::failed, "", "runs that failed")
+      .key("left_out", &N::left_out, "", "points of which a run failed, is void or has no such number")
+      .key("failed", &N::failed, "", "runs that failed, or are void")
       .key("lacking", &N::lacking, "", "runs that have no such number")
       .key("mean", &N::mean, "SI", "of the draws (rows of A and B)")
       .key("deviation", &N::deviation, "SI", "standard deviation of the draws")
@@ -82,10 +82,10 @@ NumberedWarnings points_left_out(const std::string& name, const NumberIndices& f
   if (found.left_out == 0) return {};
   return {{"indices_left_out", static_cast<double>(found.left_out), 0., "1",
            name + ": " + std::to_string(found.left_out) + " of " + std::to_string(found.points + found.left_out) +
-               " points are left out, as " + std::to_string(found.failed) + " runs failed and " +
+               " points are left out, as " + std::to_string(found.failed) + " runs failed or are void and " +
                std::to_string(found.lacking) +
                " have no such number: the indices are of what is left, whose distributions are others",
-           "narrow the distributions to where runs end well, see failed in summary.json"}};
+           "narrow the distributions to where runs end well, see failed and void in summary.json"}};
 }
 
 /// Neighbours in the order of their totals whose intervals hold the value of each other.

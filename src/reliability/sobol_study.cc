@@ -74,11 +74,30 @@ std::vector<std::optional<double>> values_of_runs(const Hdf5Reader& file, const 
   return values;
 }
 
-/// The numbers that were read, as summary.json beside study.h5 lists them.
-std::vector<std::string> numbers_of(const std::string& folder) {
+/// The summary.json beside study.h5.
+struct StudySummary {
+  std::string path;
+  nlohmann::json json;
+};
+
+StudySummary summary_in(const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / "summary.json").string();
   std::ifstream file(path);
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  return {path, nlohmann::json::parse(file, nullptr, false)};
+}
+
+/// The runs, of which those are not done whose numbers are void.
+SobolRuns without_void(SobolRuns runs, const nlohmann::json& summary) {
+  if (!summary.is_object() || !summary.contains("void")) return runs;
+  for (const auto& reason : summary["void"])
+    for (const auto& run : reason["runs"])
+      if (const auto at = run.get<std::size_t>(); at < runs.done.size()) runs.done[at] = 0.;
+  return runs;
+}
+
+/// The numbers that were read, as it lists them.
+std::vector<std::string> numbers_of(const StudySummary& of) {
+  const auto& [path, summary] = of;
   std::vector<std::string> numbers;
   if (summary.is_object() && summary.contains("read") && summary["read"].is_array())
     for (const auto& number : summary["read"])
@@ -116,9 +135,10 @@ SobolOutputs outputs_of(const SobolRuns& runs, const std::string& case_file, con
 SobolStudy read_sobol_study(const std::string& folder, const std::vector<std::string>& of) {
   const std::string path = (std::filesystem::path(folder) / "study.h5").string();
   const Hdf5Reader file(path, wanted);
-  const SobolRuns runs = read_runs(file, path);
+  const StudySummary summary = summary_in(folder);
+  const SobolRuns runs = without_void(read_runs(file, path), summary.json);
   SobolStudy study{file.text_attribute("/", "title").value_or(""), keys_of(runs, path), {}};
-  const std::vector<std::string> known = numbers_of(folder);
+  const std::vector<std::string> known = numbers_of(summary);
   for (const std::string& number : of)
     if (std::find(known.begin(), known.end(), number) == known.end())
       throw InputError({"--of " + number}, "the study has not read '" + number + "'",

@@ -105,6 +105,12 @@ TEST_F(Indices, HaveIntervalsThatShrinkByTheRootOfN) {
   EXPECT_NEAR(width(256) / width(1024), 2., 0.2);
 }
 
+TEST_F(Indices, LeaveOutPointsWithARunThatIsVoid) {
+  write_study(256, linear);
+  write("study/summary.json", R"({"read": ["f"], "void": [{"runs": [0, 7], "why": "answer_cut"}]})");
+  EXPECT_EQ(find_indices(read_sobol_study("study", {})).numbers.front().points, 254);
+}
+
 TEST_F(Indices, LeaveOutPointsWithARunThatFailed) {
   const NumberIndices indices = found(256, linear, {0, 7, 8, 23});  // points 0, 1 twice, 4
   EXPECT_EQ(indices.points, 253);
