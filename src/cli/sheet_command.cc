@@ -1,5 +1,6 @@
 // The command sheet: all that one file allows, in one table.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -16,6 +17,7 @@
 #include "case/input_files.h"
 #include "case/scene_text.h"
 #include "case/script_trust.h"
+#include "case/wave_load.h"
 #include "cli/command.h"
 #include "cli/reduced_case.h"
 #include "design/expected_report.h"
@@ -104,11 +106,37 @@ struct SolvedScene {
   std::shared_ptr<const Simulation> simulation;
 };
 
+/// Warning wave_not_of_design: the run bears a wave, and none as the design has it.
+NumberedWarnings run_wave_warnings(const SheetInput& input) {
+  if (!input.scene || input.design->tables.waves.empty()) return {};
+  const std::vector<const WaveLoad*> loads = acting_waves(*input.scene);
+  const DesignTables& t = input.design->tables;
+  constexpr double written = 1e-6;
+  const auto is_same = [](double a, double b) { return std::abs(a - b) <= written * std::abs(b); };
+  double highest = 0.;
+  for (const auto& [name, given] : t.waves) {
+    const DesignWave wave = design_wave(given, t.section, t.water);
+    highest = std::max(highest, wave.height);
+    for (const WaveLoad* load : loads)
+      if (load->load.factor == 1. && is_same(load->wave.height, wave.height) && is_same(load->wave.period, wave.period))
+        return {};
+  }
+  if (loads.empty()) return {};
+  const WaveLoad& load = *loads.front();
+  return {{"wave_not_of_design", load.wave.height, highest, "m",
+           load.title + " is a wave of " + with_unit(load.wave.height, "m") + " and " +
+               with_unit(load.wave.period, "s") + ", by the factor " + significant(load.load.factor, 3) +
+               ": what is told of motion is of none of the waves of [waves], whose highest has " +
+               with_unit(highest, "m"),
+           "give the run a wave of [waves], with factor = 1"}};
+}
+
 Done waves_part(const SheetInput& input) {
   if (!input.asked.waves) return no_part("waves", "no [waves.NAME]: no wave is checked by formulas at all levels");
   const std::vector<WaveAnswer> answers = answer_waves(input.design->tables);
-  return {{"waves", checks_of(input.design->tables, answers), warnings_of(*input.design, answers), ""},
-          to_json(*input.design, answers)};
+  NumberedWarnings warnings = warnings_of(*input.design, answers);
+  append(warnings, run_wave_warnings(input));
+  return {{"waves", checks_of(input.design->tables, answers), warnings, ""}, to_json(*input.design, answers)};
 }
 
 /// The design with the reduced model of the same file's scene, by which every wave of a life has its own dynamics; or
