@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/run_end.h"
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
@@ -66,8 +65,7 @@ std::vector<double> static_shear(const Evidence& e, const std::vector<double>& t
   std::vector<double> list(time.size(), e.of(find_effective_base)->push);
   for (std::size_t i = 0; i < time.size(); ++i)
     for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k)
-      list[i] +=
-          until_end(compiled.system.loads[k].history, time[i], e.scene.time.end) * compiled.loads_on_caisson[k].force_x;
+      list[i] += load_in_row(compiled.system.loads[k].history, time, i) * compiled.loads_on_caisson[k].force_x;
   return list;
 }
 

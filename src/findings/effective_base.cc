@@ -80,7 +80,7 @@ void add_gaps(const ContactHistory& contact, const std::vector<double>& time, do
 }
 
 /// Loads that act up or down alone: they hold the caisson up, or lift it, as its weight and an uplift do.
-void add_vertical(const CompiledScene& compiled, const std::vector<double>& time, double end, EffectiveBase& base) {
+void add_vertical(const CompiledScene& compiled, const std::vector<double>& time, EffectiveBase& base) {
   constexpr double upright = 1e-9;  // of a force: what its other part may be
   for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
     const LoadOnCaisson& load = compiled.loads_on_caisson[k];
@@ -88,7 +88,7 @@ void add_vertical(const CompiledScene& compiled, const std::vector<double>& time
     if (load.force_y == 0.) continue;
     base.vertical.resize(time.size()), base.vertical_moment.resize(time.size());
     for (std::size_t i = 0; i < time.size(); ++i) {
-      const double f = until_end(compiled.system.loads[k].history, time[i], end);
+      const double f = load_in_row(compiled.system.loads[k].history, time, i);
       base.vertical[i] -= f * load.force_y;
       base.vertical_moment[i] += f * load.moment;
     }
@@ -96,6 +96,10 @@ void add_vertical(const CompiledScene& compiled, const std::vector<double>& time
 }
 
 }  // namespace
+
+double load_in_row(const TimeFunction& load, const std::vector<double>& time, std::size_t row) {
+  return row > 0 ? load(time[row], 0.5 * (time[row - 1] + time[row])) : load(time[row]);
+}
 
 std::optional<double> weight_in_water(const Simulation& simulation) {
   const double level = water_level(simulation.scene(), *simulation.mesh());
@@ -129,7 +133,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
     const auto t = static_cast<Eigen::Index>(i);
     double force = U[t], moment = M_U[t];
     for (const UpliftLoad& load : prescribed) {
-      const double f = until_end(load.pressure, ends.time[i], simulation.scene().time.end);
+      const double f = load_in_row(load.pressure, ends.time, i);
       force += load.force * f;
       moment += load.moment * f;
     }
@@ -138,7 +142,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
     base.force.push_back(rest->force + N[t] - force);
     base.moment.push_back(rest->moment + M[t] + moment);
   }
-  add_vertical(*simulation.compiled(), ends.time, simulation.scene().time.end, base);
+  add_vertical(*simulation.compiled(), ends.time, base);
   if (contact && contact->history)
     add_gaps(*contact->history, ends.time, simulation.compiled()->caisson->bottom_centre[0], base);
   constexpr double round_off_of_weight = 1e-9;  // of a caisson that has left its ground
@@ -161,7 +165,7 @@ EffectiveBase loads_alone(const Simulation& simulation, EffectiveBase base, cons
     base.force[i] = base.weight - base.uplift[i];
     base.moment[i] = base.weight_moment + base.uplift_moment[i];
     for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
-      const double f = until_end(compiled.system.loads[k].history, ends.time[i], simulation.scene().time.end);
+      const double f = load_in_row(compiled.system.loads[k].history, ends.time, i);
       base.force[i] -= f * compiled.loads_on_caisson[k].force_y;
       base.moment[i] += f * compiled.loads_on_caisson[k].moment;
     }

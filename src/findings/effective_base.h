@@ -11,6 +11,9 @@
 
 namespace upbead {
 
+/// A load in a row of histories, where readings belong to its value before a jump.
+double load_in_row(const TimeFunction& load, const std::vector<double>& time, std::size_t row);
+
 /// The caisson's weight minus that of the water which it displaces below still water (N/m); none where the scene
 /// gives no still water. Needs a caisson.
 std::optional<double> weight_in_water(const Simulation& simulation);

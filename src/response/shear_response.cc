@@ -171,11 +171,12 @@ Extremum at_ends(const std::vector<double>& time, const Samples& values, int sig
   return {time[static_cast<std::size_t>(at)], values[at]};
 }
 
-/// Height of the resultant of all loads above the bottom at one time (m).
-std::optional<double> arm_at(const CompiledScene& compiled, double time) {
+/// Height of the resultant of all loads above the bottom at one time (m); at a jump of the loads before or after it.
+std::optional<double> arm_at(const CompiledScene& compiled, double time, bool before) {
+  constexpr double hair = 1e-9;
   LoadOnCaisson total;
   for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
-    const double f = compiled.system.loads[k].history(time);
+    const double f = compiled.system.loads[k].history(time, before ? time * (1. - hair) : time);
     total.force_x += compiled.loads_on_caisson[k].force_x * f;
     total.moment += compiled.loads_on_caisson[k].moment * f;
   }
@@ -274,7 +275,9 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   set_forces(r, P, end);
   set_peaks(r, compiled, response, P, inertia);
   set_ratios(r, end);
-  r.arm = arm_at(compiled, is_seaward(r) ? r.peak_force_seaward_time : r.peak_force_time);
+  const double peak_time = is_seaward(r) ? r.peak_force_seaward_time : r.peak_force_time;
+  r.arm = arm_at(compiled, peak_time, true);
+  if (!r.arm) r.arm = arm_at(compiled, peak_time, false);  // a load that jumps from zero
   r.reaction_mismatch = reaction_mismatch(compiled, response);
   return r;
 }
