@@ -319,9 +319,10 @@ std::string brief(const Summary& s) {
     text += "solved by   " + s.ladder.back().way + ", after " + std::to_string(refused) +
             (refused == 1 ? " way was" : " ways were") + " refused\n";
   if (s.response) text += forces_of(s);
-  if (s.sliding)
-    text += "S           " + how_far(s.sliding->design) + error_of(s.sliding->design.error_estimate) + " by " +
-            s.sliding->design.measure + "\n";
+  if (s.sliding || is_solved_with_friction(s)) {
+    const DesignSliding design = s.sliding ? s.sliding->design : design_by_nodes(*s.contact);
+    text += "S           " + how_far(design) + error_of(design.error_estimate) + " by " + design.measure + "\n";
+  }
   if (s.residual)
     text += "at rest     " + moved(s.residual->displacement_x) + ", " +
             settled(-s.residual->displacement_y, s.residual->rotation) + "\n";

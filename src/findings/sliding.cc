@@ -27,10 +27,7 @@ namespace {
 /// as a rigid block on the moving ground, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
 DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
                              const std::optional<ResidualSummary>& residual) {
-  if (contact && contact->solved)
-    return {contact->solved->slip,           "contact.solved.slip",         "friction is followed node by node",
-            contact->solved->error_estimate, contact->solved->largest_slip, contact->solved->end_velocity};
-  if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
+  if (contact) return design_by_nodes(*contact);
   if (s.coupled)
     return {s.coupled->slip.residual, "sliding.sliding_coupled",
             s.coupled->vectors > 0 ? "the caisson slides as a rigid block on the moving ground"
@@ -58,58 +55,72 @@ std::string why_not_all(const DesignSliding& design, double tolerable) {
 
 /// Whether a caisson that has slid comes to rest under the loads as they are at the end of the run: their force without
 /// motion, with the push of still water, is at most mu N'. Else S is only the distance until then, and has no bound.
-bool comes_to_rest(const Evidence& e, const SlidingSummary& sliding) {
+bool comes_to_rest(const Evidence& e, double S, double friction) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
-  if (sliding.design.value == 0. || !base || is_shaken(e.scene)) return true;
+  if (S == 0. || !base || is_shaken(e.scene)) return true;
   const Series& series = e.of(find_history).series;
   if (series.time.empty()) return true;
   const double normal = loads_alone(e.simulation, *base, series).force.back();
   const double end = e.scene.time.end;
   const double force = until_end(force_on_caisson(*e.simulation.compiled()), end, end) + base->push;
-  return normal > 0. && std::abs(force) <= sliding.friction * normal;
+  return normal > 0. && std::abs(force) <= friction * normal;
 }
 
 /// The largest upward force of the loads on the caisson (N/m): mu W' lacks it, as it lacks an uplift.
 double lift_of_loads(const Evidence& e) {
   const CompiledScene& compiled = *e.simulation.compiled();
+  const std::vector<double>& time = e.of(find_history).series.time;
   double largest = 0.;
-  for (const double t : e.of(find_history).series.time) {
+  for (std::size_t i = 0; i < time.size(); ++i) {
     double up = 0.;
     for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k)
-      up += until_end(compiled.system.loads[k].history, t, e.scene.time.end) * compiled.loads_on_caisson[k].force_y;
+      up += load_in_row(compiled.system.loads[k].history, time, i) * compiled.loads_on_caisson[k].force_y;
     largest = std::max(largest, up);
   }
   return largest;
 }
 
-/// Whether the mean slip of all nodes still changed by more than a tolerable part of S after that time.
-bool nodes_slip_after(double from, const ContactHistory& history, double S) {
-  const std::size_t n = history.length.size();
-  const double width = std::accumulate(history.length.begin(), history.length.end(), 0.);
-  for (std::size_t t = 0; t < history.time.size(); ++t) {
-    if (history.time[t] < from) continue;
-    const auto slips = history.slip.begin() + static_cast<std::ptrdiff_t>(t * n);
-    const double mean = std::inner_product(history.length.begin(), history.length.end(), slips, 0.) / width;
-    if (std::abs(mean - S) > tolerable_rest * std::abs(S)) return true;
-  }
-  return false;
-}
-
-/// Whether what is designed by still slips in the last fifth of the run.
-bool slips_late(const Evidence& e, const SlidingSummary& sliding) {
-  const double last_part = 0.8 * e.scene.time.end;
-  const auto& contact = e.solution.contact;
-  if (contact && contact->found.solved)
-    return contact->history && nodes_slip_after(last_part, *contact->history, sliding.design.value);
-  const std::vector<Slip>& slips = sliding.coupled ? sliding.coupled->slip.slips : sliding.history.by_history.slips;
-  return !slips.empty() && slips.back().stop >= last_part;
-}
-
-/// Why a distance is not all where the loads go on after the run: the caisson still slipped in its last fifth.
-std::string why_slips_on(const Evidence& e, const SlidingSummary& sliding) {
-  if (sliding.design.value == 0. || !loads_go_on(e.simulation) || !slips_late(e, sliding)) return "";
+/// Why a distance is not all where the loads go on after the run: the caisson still slipped in its last fifth; `stop`:
+/// of its last slip (s).
+std::string why_slips_on(const Evidence& e, double S, double stop) {
+  constexpr double before_last_part = 0.8;
+  if (S == 0. || !loads_go_on(e.simulation) || stop < before_last_part * e.scene.time.end) return "";
   return "the loads go on after the run, in whose last fifth the caisson still slipped: S is no more than its way till "
          "then";
+}
+
+/// Until when the bottom as a whole slips by more than a tolerable part of S (s); nodes at its edges creep on.
+double last_slip(const ContactHistory& history) {
+  const std::size_t n = history.length.size();
+  const double width = std::accumulate(history.length.begin(), history.length.end(), 0.);
+  const auto mean = [&](std::size_t step) {
+    return std::inner_product(history.length.begin(), history.length.end(),
+                              history.slip.begin() + static_cast<std::ptrdiff_t>(step * n), 0.) /
+           width;
+  };
+  const std::size_t last = history.time.size() - 1;
+  for (std::size_t step = last; step-- > 0;)
+    if (std::abs(mean(step) - mean(last)) > tolerable_rest * std::abs(mean(last))) return history.time[step + 1];
+  return 0.;
+}
+
+/// Adds whether the caisson comes to rest, and why the distance is not all.
+DesignSliding with_end(const Evidence& e, DesignSliding design, double friction, double stop) {
+  design.rests = comes_to_rest(e, design.value, friction);
+  if (design.rests)
+    design.why_not_all = why_not_all(design, tolerable_velocity(friction, e.scene.gravity, design.value));
+  if (design.rests && design.why_not_all.empty()) design.why_not_all = why_slips_on(e, design.value, stop);
+  if (const std::string& why = e.of(find_why_void); !why.empty()) design.why = "void: " + why + "; " + design.why;
+  return design;
+}
+
+/// The S to design by: of [sliding], or of friction node by node without that table; none where the case has neither.
+std::optional<DesignSliding> design_of(const Scene& scene, const Summary& summary) {
+  if (summary.sliding) return summary.sliding->design;
+  if (!summary.contact) return std::nullopt;
+  DesignSliding design = design_by_nodes(*summary.contact);
+  design.why_not_all = why_not_all(design, tolerable_velocity(summary.contact->friction, scene.gravity, design.value));
+  return design;
 }
 
 std::optional<SlidingSummary> find_sliding(const Evidence& e) {
@@ -124,37 +135,29 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   sliding->error_estimate = errors.slip;
   sliding->why_no_estimate = errors.why_no_slip;
   if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
-  DesignSliding design = design_sliding(*sliding, e.of(find_contact), e.of(find_residual));
-  sliding->design = design;
-  sliding->design.rests = comes_to_rest(e, *sliding);
-  if (sliding->design.rests)
-    sliding->design.why_not_all =
-        why_not_all(design, tolerable_velocity(sliding->friction, e.scene.gravity, design.value));
-  if (sliding->design.rests && sliding->design.why_not_all.empty())
-    sliding->design.why_not_all = why_slips_on(e, *sliding);
-  if (const std::string& why = e.of(find_why_void); !why.empty())
-    sliding->design.why = "void: " + why + "; " + sliding->design.why;
+  const std::vector<Slip>& slips = sliding->coupled ? sliding->coupled->slip.slips : sliding->history.by_history.slips;
+  sliding->design = with_end(e, design_sliding(*sliding, e.of(find_contact), e.of(find_residual)), sliding->friction,
+                             slips.empty() ? 0. : slips.back().stop);
   return sliding;
 }
 
 /// Warning slides_on: S is only how far the caisson came until the run ended.
-NumberedWarnings warnings_of_endless(const SlidingSummary& sliding) {
-  return {{"slides_on", sliding.design.value, 0., "m",
+NumberedWarnings warnings_of_endless(const DesignSliding& design, bool judged) {
+  return {{"slides_on", design.value, 0., "m",
            "at the end of the run the loads exceed the friction, or lift the caisson: it slides on, and all S here are "
            "only how far it came until then, " +
-               with_unit(sliding.design.value, "m") + " by " + sliding.design.measure,
+               with_unit(design.value, "m") + " by " + design.measure,
            "let the run end after its loads (time.end); where they stay, as an uplift that is held, the section does "
-           "not stand"}};
+           "not stand",
+           !judged}};
 }
 
 /// Warning still_slides: the run ends before the caisson rests.
-NumberedWarnings warnings_of_end(const Evidence& e, const SlidingSummary& sliding) {
-  const DesignSliding& design = sliding.design;
+NumberedWarnings warnings_of_end(const Evidence& e, const DesignSliding& design, double friction) {
   if (design.why_not_all.empty()) return {};
-  return {{"still_slides", std::abs(design.end_velocity),
-           tolerable_velocity(sliding.friction, e.scene.gravity, design.value), "m/s",
-           design.why_not_all + ", and the distance is not judged where it is within its limit",
-           "let the run end later (time.end)", !e.scene.limits.sliding}};
+  return {{"still_slides", std::abs(design.end_velocity), tolerable_velocity(friction, e.scene.gravity, design.value),
+           "m/s", design.why_not_all + ", and the distance is not judged where it is within its limit",
+           "let the run end later (time.end)", !e.scene.limits.sliding || !e.scene.sliding}};
 }
 
 /// Warning uplift_left_out: the modelled pore pressure lifts the caisson, and [sliding] counts no uplift.
@@ -181,15 +184,38 @@ NumberedWarnings bottom_warnings(const Evidence& e) {
        "level the bottom in the mesh; for a slope alpha take tan(phi - alpha) as friction, phi = arctan mu", true}};
 }
 
+/// Warning sliding_not_judged: no [sliding] asks for what the bonded caisson would do.
+NumberedWarnings warnings_of_no_sliding(const Evidence& e, const Summary& summary) {
+  const std::optional<EffectiveBase>& base = e.of(find_effective_base);
+  if (!base || !summary.response) return {};
+  const double mu = contact_friction(e.scene), resistance = mu * base->weight;
+  const double force = std::max(summary.response->peak_shear, -summary.response->peak_shear_seaward);
+  if (force <= resistance) return {};
+  return {{"sliding_not_judged", force, resistance, "N/m",
+           "F_T comes to " + with_unit(force, "N/m") + ", more than " + significant(mu) +
+               " W' = " + with_unit(resistance, "N/m") +
+               ", and the case has no [sliding]: nothing of the run judges whether the caisson slides",
+           "add [sliding] with friction and submerged_weight", true}};
+}
+
+/// Whether and when a slip node by node ends, where no [sliding] has told that.
+DesignSliding followed_to_its_end(const Evidence& e, const ContactSummary& contact) {
+  const auto& history = e.solution.contact->history;
+  return with_end(e, design_by_nodes(contact), contact.friction, history ? last_slip(*history) : 0.);
+}
+
 /// Warning no_coupled_slip: the coupled S would not be right.
 NumberedWarnings slip_warnings(const Evidence& e, const Summary& summary) {
-  if (!summary.sliding) return {};
+  if (!summary.sliding && !summary.contact) return warnings_of_no_sliding(e, summary);
+  const bool judged = summary.sliding.has_value();
+  const DesignSliding design = judged ? summary.sliding->design : followed_to_its_end(e, *summary.contact);
   NumberedWarnings list = bottom_warnings(e);
-  if (!summary.sliding->design.rests) {
-    append(list, warnings_of_endless(*summary.sliding));
+  if (!design.rests) {
+    append(list, warnings_of_endless(design, judged));
     return list;
   }
-  append(list, warnings_of_end(e, *summary.sliding));
+  append(list, warnings_of_end(e, design, judged ? summary.sliding->friction : summary.contact->friction));
+  if (!judged) return list;
   append(list, warnings_of_pores(e, *summary.sliding));
   if (!summary.sliding->coupled_failed) return list;
   const SlidingSummary& sliding = *summary.sliding;
@@ -285,30 +311,33 @@ Check distance_check(const Scene& scene, const DesignSliding& design, const std:
 }
 
 /// Where the caisson was on the way and is no more: waves brought it back, and the next ones need not.
-Checks checks_on_the_way(const Scene& scene, const DesignSliding& design, const std::string& uplift) {
+Checks checks_on_the_way(const Scene& scene, const DesignSliding& design, const std::string& measure,
+                         const std::string& uplift) {
   constexpr double farther = 1.1;  // than where it comes to rest
   const double largest = std::abs(design.largest), value = std::abs(design.value);
   const bool fails_alone = scene.limits.sliding && largest > *scene.limits.sliding && value <= *scene.limits.sliding;
   if (!design.rests || (largest <= farther * value && !fails_alone)) return {};
-  const Check check =
-      check_of(FailureMode::sliding_distance, "sliding distance on the way", "m", largest, "sliding.design.largest",
-               (design.largest < 0. ? "seaward; " : "") + uplift + "; " + design.why);
+  const Check check = check_of(FailureMode::sliding_distance, "sliding distance on the way", "m", largest, measure,
+                               (design.largest < 0. ? "seaward; " : "") + uplift + "; " + design.why);
   return {judged(held_to(check, scene.limits, &Limits::sliding), design)};
 }
 
-Checks sliding_checks(const Scene& scene, const Summary& summary) {
-  if (!summary.sliding || !summary.response) return {};
-  Checks list;
-  const SlidingSummary& sliding = *summary.sliding;
-  const std::string uplift = about_uplift(scene);
-  list.push_back(distance_check(scene, sliding.design, uplift));
-  append(list, checks_on_the_way(scene, sliding.design, uplift));
+Checks friction_checks(const Scene& scene, const Summary& summary, const std::string& uplift) {
   const std::string of_bonded =
       uplift + "; F_T of the bonded caisson" +
       (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") +
       about_push(scene, summary);
-  list.push_back(friction_check(scene, summary, 1., of_bonded));
-  list.push_back(friction_check(scene, summary, -1., of_bonded));
+  return {friction_check(scene, summary, 1., of_bonded), friction_check(scene, summary, -1., of_bonded)};
+}
+
+Checks sliding_checks(const Scene& scene, const Summary& summary) {
+  const std::optional<DesignSliding> design = design_of(scene, summary);
+  if (!design || !summary.response) return {};
+  const std::string uplift = about_uplift(scene);
+  Checks list{distance_check(scene, *design, uplift)};
+  append(list, checks_on_the_way(scene, *design,
+                                 summary.sliding ? "sliding.design.largest" : "contact.solved.largest_slip", uplift));
+  if (summary.sliding) append(list, friction_checks(scene, summary, uplift));
   for (Check& check : list) check.has_rival = true;
   return list;
 }
@@ -523,6 +552,13 @@ std::string about_uplift(const Scene& scene) {
 bool is_shaken(const Scene& scene) {
   return std::any_of(scene.loads.begin(), scene.loads.end(),
                      [](const auto& load) { return is_motion(load.second.kind) && load.second.factor != 0.; });
+}
+
+DesignSliding design_by_nodes(const ContactSummary& contact) {
+  if (!contact.solved) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
+  const NodeContact& solved = *contact.solved;
+  return {solved.slip,           "contact.solved.slip", "friction is followed node by node",
+          solved.error_estimate, solved.largest_slip,   solved.end_velocity};
 }
 
 Finding sliding_finding() {

@@ -41,6 +41,8 @@ std::vector<double> shear_of(const Evidence& e);
 std::optional<SlipCircles> find_circles(const Evidence& e);
 std::string find_why_no_circles(const Evidence& e);
 
+/// S by friction node by node.
+DesignSliding design_by_nodes(const ContactSummary& contact);
 /// Whether the response is that of a caisson whose friction was followed node by node; else it is bonded.
 bool is_solved_with_friction(const Summary& summary);
 /// For assumptions of checks: how the uplift is taken.

@@ -32,7 +32,7 @@ constexpr const char
 
 constexpr LimitRow limit_rows[] = {
     {"sliding", &Limits::sliding, "m", false, true, FailureMode::sliding_distance, "sliding distance",
-     "no part found a sliding distance"},
+     "no part found a sliding distance: a run needs [sliding] with friction and submerged_weight"},
     {"base_pressure", &Limits::base_pressure, "Pa", false, true, FailureMode::heel_pressure, "heel pressure p_e",
      "no part knows W' and the loads on the base: give a run [sliding] and loads, or [section] and [waves.NAME]"},
     {"dynamic_base_pressure", &Limits::dynamic_base_pressure, "Pa", false, true, FailureMode::heel_pressure,
