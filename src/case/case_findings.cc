@@ -56,7 +56,23 @@ NumberedWarnings warnings_of_no_load(const Case& input) {
   return {{"load_zero", 0., input.scene.time.end, "s",
            "every load is switched off (factor = 0): " + what +
                ", and what is told of motion, S and pressures is of the section at rest",
-           "give a load a factor that is not 0"}};
+           "give a load a factor that is not 0", true}};
+}
+
+/// Levels of still water that the file gives for `waves`, beside the section's own.
+std::size_t n_levels(const Case& input) {
+  const Node* levels = input.document.find("levels");
+  return levels && levels->table() ? levels->table()->size() : 0;
+}
+
+/// Warning levels_not_used: by formulas another level may be worse than that of the run.
+NumberedWarnings warnings_of_levels(const Case& input) {
+  const std::size_t n = n_levels(input);
+  if (n == 0 || acting_waves(input).empty()) return {};
+  return {{"levels_not_used", static_cast<double>(n), 0., "1",
+           "the run and its checks by formulas are at the section's own level of still water, and the file has " +
+               std::to_string(n) + (n == 1 ? " more" : " others") + " in [levels]: one of them may be worse",
+           "judge the formulas at each level by 'upbead waves' or 'upbead sheet'"}};
 }
 
 /// Warning centroid_differs: W' of [section] acts on another line than the weight of the meshed caisson in water, so
@@ -183,6 +199,7 @@ std::vector<Action> actions_on(const Case& input, const Simulation& simulation) 
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
   NumberedWarnings list = warnings_of_no_load(input);
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
+  append(list, warnings_of_levels(input));
   append(list, centroid_warnings(input, simulation));
   append(list, warnings_of_no_uplift(input, simulation));
   append(list, warnings_of_other_uplift(input));
@@ -246,6 +263,7 @@ Finding waves_finding(const Case* input) {
   f.parts.emplace_back([input](const Evidence& e, Summary& s) {
     s.waves = wave_summaries(*input);
     s.formula_checks = formula_checks(s.waves, e.scene.limits);
+    for (Check& check : s.formula_checks) check.level = n_levels(*input) > 0 ? "section" : "";
   });
   f.checks = [](const Scene&, const Summary& s) { return s.formula_checks; };
   f.warnings = [](const Evidence& e, const Summary& s) { return factor_warnings(s.formula_checks, e.scene.limits); };

@@ -187,7 +187,8 @@ ContactModelMade contact_of(const Simulation& simulation, const Reduction& reduc
 bool is_of_loads(const NumberedWarning& warning) {
   constexpr std::array names{"fast_load", "jump_with_alpha", "motion_stays", "step_too_coarse"};
   return std::find(names.begin(), names.end(), warning.name) != names.end() ||
-         (warning.what.rfind("loads.", 0) == 0 && warning.what.find(".shape ") == std::string::npos);
+         (warning.what.rfind("loads.", 0) == 0 && warning.what.find(".shape ") == std::string::npos) ||
+         warning.what.rfind("the prescribed uplift follows P by", 0) == 0;
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void judge_ends(const Drawn& d, NumberedWarnings& list) {
     list.push_back({"implausible", value, d.middle, "1",
                     d.path + "." + end + " = " + significant(value, 4) + " is " + side + " the mean, " +
                         significant(d.middle, 4) + ": more than half of the distribution is cut away",
-                    "check " + d.path + "." + end + " and its unit"});
+                    "check " + d.path + "." + end + " and its unit", true});
   };
   if (d.high && *d.high < d.middle) add("high", *d.high, "below");
   if (d.low && *d.low > d.middle) add("low", *d.low, "above");
@@ -69,7 +69,7 @@ void judge_rise(const Drawn& d, const Section& section, NumberedWarnings& list) 
   list.push_back({"implausible", d.middle, d.middle > 0. ? section.crest : lowest, "m",
                   words_of_middle(d) + " = " + significant(d.middle, 4) + " m, a rise of still water, is " +
                       (d.middle > 0. ? "above the crest" : "below the mound"),
-                  "check it and its unit"});
+                  "check it and its unit", true});
 }
 
 /// Numbers that a variable may act on lie near those of the design.

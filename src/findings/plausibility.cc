@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "base/numbers.h"
 #include "base/text.h"
@@ -116,7 +117,7 @@ class OnItsMesh {
         cure = cure_of_unit(unit, meant);
         break;
       }
-    list_.push_back({"implausible", level, all_.high, "m", text, cure});
+    list_.push_back({"implausible", level, all_.high, "m", text, cure, true});
   }
 
   /// Largest value of the history; a factor below 1, by which a study weakens a load, is left out.
@@ -248,8 +249,10 @@ void judge_weight(const std::string& key, double given, const Simulation& simula
                       "give regions of water, or [initial] water_level"});
     return;
   }
-  constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast are less than a tenth of W'
-  if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
+  // footings, rounded corners and layers of ballast are less than a tenth of W'; more than it is a safety that is not
+  constexpr double tolerable = 0.1, unsafe = 0.02;
+  const double difference = given - *in_water, size = std::abs(*in_water);
+  if (difference <= unsafe * size && difference >= -tolerable * size) return;
   const std::string text = key + " = " + significant(given, 4) + " N/m, but the caisson less the water " +
                            "that it displaces weighs " + significant(*in_water, 4) + " N/m";
   std::string cure;
@@ -258,7 +261,7 @@ void judge_weight(const std::string& key, double given, const Simulation& simula
     if (std::abs(unit.in_si(given) - *in_water) <= 0.3 * *in_water)
       cure += (cure.empty() ? "" : "; ") + cure_of_unit(unit, unit.in_si(given));
   if (cure.empty()) cure = "check submerged_weight, the mass of the caisson and the level of still water";
-  list.push_back({"submerged_weight", given, *in_water, "N/m", text, cure});
+  list.push_back({"submerged_weight", given, *in_water, "N/m", text, cure, std::abs(difference) > tolerable * size});
 }
 
 namespace {
@@ -315,7 +318,7 @@ void judge_damping(const std::string& at, const Region& region, const Scene& sce
     list.push_back({"implausible", ratio, quantities::damping.high, "1",
                     at + "damping: at " + significant(f) + " Hz, where the motion is, the ratio is " +
                         significant(ratio) + ", more than soil has",
-                    "look at damping.frequencies (Hz), between which the ratio is that of damping.ratio"});
+                    "look at damping.frequencies (Hz), between which the ratio is that of damping.ratio", true});
 }
 
 void judge_soil(const std::string& at, const Region& region, const Scene& scene, double B, NumberedWarnings& list) {
@@ -463,6 +466,9 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
   if (scene.initial)
     for (const auto& [name, surcharge] : scene.initial->surcharge)
       judge("initial.surcharge." + name + ".weight", surcharge.weight, quantities::surcharge, list);
+  if (scene.cycles)  // a wave at least; of ten years of swell 3e7
+    judge("cycles, all its waves,", std::accumulate(scene.cycles->number.begin(), scene.cycles->number.end(), 0.),
+          {"1", 1., 1e8, 100., 1e5, {{"thousands", 1e3}}, "storms have 500 to 2e4"}, list);
   if (scene.sliding && simulation.compiled()->caisson)
     judge_weight("sliding.submerged_weight", scene.sliding->submerged_weight, simulation, list);
   OnItsMesh(simulation, list).run();

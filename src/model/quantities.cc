@@ -34,7 +34,7 @@ std::optional<NumberedWarning> implausible(const std::string& key, double value,
                            : ", in " + std::string(unit.name) + ", write " + significant(meant, 4);
     }
   if (cure.empty()) cure = "check " + key + " and its unit";
-  return NumberedWarning{"implausible", value, limit, q.unit, text, cure};
+  return NumberedWarning{"implausible", value, limit, q.unit, text, cure, true};
 }
 
 bool is_unit_load(double value) {

@@ -248,7 +248,7 @@ NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files) {
       list.push_back({"load_zero", static_cast<double>(zero), 0., "1",
                       std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
                           in_quotes(file.name) + " are zero throughout",
-                      "look whether a wrong column is read as the load"});
+                      "look whether a wrong column is read as the load", true});
   }
   return list;
 }
