@@ -192,16 +192,17 @@ double worst_residual(const Summary& summary, const std::function<double(const R
   return worst;
 }
 
-/// Sand that packs denser settles on while its water drains.
+/// Sand that packs denser settles on while its water drains. Of the stress that it has lost shear may have taken a
+/// part, which does not come back.
 Check drained(const Check& check, const std::vector<CompactedSoil>& soils) {
-  constexpr double gone = 0.05;  // of the stress at rest
+  constexpr double gone = 0.05;    // of the stress at rest
+  constexpr double little = 100.;  // Pa, 1 cm of water: a millimetre on 20 m of loose sand
   double left = 0.;
-  for (const CompactedSoil& soil : soils) left = std::max(left, soil.pressure_ratio_at_end);
-  if (!(left > gone) || !check.holds || !*check.holds) return check;
-  return not_checked(check,
-                     "pore pressure of up to " + percent(left) +
-                         " of the stress at rest is left at the end, and the ground settles while it drains: let "
-                         "the run end later");
+  for (const CompactedSoil& soil : soils)
+    if (soil.pressure_ratio_at_end > gone) left = std::max(left, soil.pressure_at_end.value_or(0.));
+  if (!(left > little) || !check.holds || !*check.holds) return check;
+  return not_checked(check, "excess pore pressure of up to " + with_unit(left, "Pa") +
+                                " is left at the end, and the ground settles while it drains: let the run end later");
 }
 
 /// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/scale.h"
+#include "findings/find.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/case/case_run.h"
@@ -266,6 +267,24 @@ TEST_F(DensificationRun, SandThatHasLostItsStressIsToldAndNoWorse) {
   EXPECT_LT(p, 20e3 + 0.6 * 1650. * 9.81 * 2.);
   EXPECT_TRUE(std::any_of(found.summary.warnings.begin(), found.summary.warnings.end(),
                           [](const NumberedWarning& w) { return w.name == "liquefied"; }));
+}
+
+/// The stress that shear has taken does not come back as water drains, and does not keep it from settling.
+TEST(SandThatPacks, HasSettledOnceItsWaterHasLeft) {
+  Scene scene;
+  scene.limits.settlement = 0.05;
+  Summary s;
+  s.nonlinear.emplace();
+  s.residual.emplace().displacement_y = -0.01;
+  s.densification.emplace_back().pressure_ratio_at_end = 0.7;
+  using Pressure = std::optional<double>;  // none: drained soil, which has no water to lose
+  for (const Pressure& left : {Pressure(), Pressure(0.7), Pressure(2e4)}) {
+    s.densification[0].pressure_at_end = left;
+    for (const Check& check : checks_of(scene, s)) {
+      if (check.limit != "settlement") continue;
+      EXPECT_EQ(check.holds, left > 1e4 ? std::nullopt : std::optional(true));
+    }
+  }
 }
 
 TEST_F(DensificationRun, SectionSettlesMoreAndKeepsPressureInItsSandAtLength) {
