@@ -1,6 +1,8 @@
 #include "case/records/history_load.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 
 #include "base/text.h"
 #include "case/case_checks.h"
@@ -44,6 +46,11 @@ std::size_t only_value(const CsvTable& table, const RecordLayout& layout, Record
   std::string what = column_text(table, layout.values[1]);
   if (layout.values.size() > 2) what += " and " + std::to_string(layout.values.size() - 2) + " more";
   notes.left_out.push_back({what, "a history has one value, here " + in_quotes(table.names[value])});
+  notes.warnings.push_back({"column_chosen", static_cast<double>(layout.values.size()), 1., "1",
+                            std::filesystem::path(table.path).filename().string() + " has " +
+                                std::to_string(layout.values.size()) + " columns of values, and the first, " +
+                                in_quotes(table.names[value]) + ", is taken",
+                            "keep the one that is meant, beside the time"});
   return value;
 }
 
@@ -141,6 +148,21 @@ FileHistory read_uplift(const std::string& path, const Place& place, double star
 
 namespace {
 
+/// Warning implausible: an acceleration without a unit whose peak is that of a motion in g. A factor below 1, by which
+/// a study weakens a motion, is left out.
+NumberedWarnings warnings_of_no_unit(const GivenLoad& given, const RecordNotes& notes) {
+  constexpr double largest_in_g = 1.;
+  const RecordSummary& column = notes.read.front();
+  const double peak = std::abs(column.extreme) * std::max(std::abs(given.table.factor), 1.);
+  if (given.table.kind != LoadKind::acceleration || peak >= largest_in_g ||
+      column.unit.find(ColumnUnit::none) == std::string::npos)
+    return {};
+  return {{"implausible", peak, largest_in_g, "m/s2",
+           "loads." + given.name + ": the column '" + column.column + "' has no unit, and its peak, " +
+               significant(peak, 4) + ", is taken in m/s2: in g it would be " + significant(9.81 * peak, 4) + " m/s2",
+           "write the unit in brackets behind the name of the column, as " + column.column + " (g)", true}};
+}
+
 /// Adds the file, and warnings of its record where it acts. `end`: of the run, where the load is zero after the record.
 void add_file(const std::string& path, const Place& place, FileHistory& history, const std::optional<double>& end,
               LoadSource& source) {
@@ -148,7 +170,7 @@ void add_file(const std::string& path, const Place& place, FileHistory& history,
   source.notes = std::move(history.notes);
   history.record.name = source.title;
   history.record.end = end;
-  if (source.acts()) source.warnings = record_warnings(history.record);
+  if (source.acts()) append(source.warnings, record_warnings(history.record));
 }
 
 std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
@@ -161,6 +183,7 @@ std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
   load.duration = history.duration;
   if (!is_motion(load.kind))
     for (double& value : history.record.value) value *= load.factor;
+  if (source->acts()) source->warnings = warnings_of_no_unit(given, history.notes);
   add_file(path, place, history, is_motion(load.kind) ? std::nullopt : std::optional(given.end()), *source);
   const Load& made = source->made[given.name] = with_factor(load);
   if (source->acts()) source->action = action_of(source->title, "load_cut", "record_start", made.history);
