@@ -35,6 +35,7 @@ const std::vector<KeyQuantity> key_quantities{
     {"cycles.run_height", &q::wave_height},
     {"cycles.height", &q::wave_height},
     {"cycles.period", &q::wave_period},
+    {"cycles.duration", &q::storm_duration},
     {"regions.*.cyclic.alpha", &q::cyclic_resistance},
     {"initial.k0", &q::rest_coefficient},
     {"mesh.parameters.mound_slope", &q::slope},

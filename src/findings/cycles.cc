@@ -261,6 +261,19 @@ std::string find_why_no_cycles(const Evidence& e) {
   return e.of(find_storm).why_not;
 }
 
+/// Whether the loads of the run's wave push one way alone: half of the way of a stress is then no amplitude of waves,
+/// which have troughs.
+bool is_one_sided(const Scene& scene, const Summary& summary) {
+  constexpr double counts = 0.05;  // of the other way
+  const auto swings = [](double up, double down) { return std::min(up, down) > counts * std::max(up, down); };
+  if (is_shaken(scene)) return false;
+  if (summary.response && swings(summary.response->peak_force, -summary.response->peak_force_seaward)) return false;
+  return std::none_of(scene.loads.begin(), scene.loads.end(), [&](const auto& load) {
+    const TimeFunction& f = load.second.history;
+    return swings(extremum(f, 0., scene.time.end, 1).value, -extremum(f, 0., scene.time.end, -1).value);
+  });
+}
+
 std::string liquefied_text(const CyclesSummary& cycles) {
   return "in " + with_unit(cycles.area_liquefied, "m2") + " of the ground (" + std::to_string(cycles.cells_liquefied) +
          " cells) the residual pore pressure of the storm comes to the effective stress at rest, first after " +
@@ -270,8 +283,8 @@ std::string liquefied_text(const CyclesSummary& cycles) {
 /// Share of the water that may be lost at places without effective stress before it is told.
 constexpr double most_shed = 0.02;
 
-/// Warnings cycles_open: a limit cannot be checked; liquefied: soil has liquefied in the storm; water_shed;
-/// beyond_compaction.
+/// Warnings cycles_open: a limit cannot be checked; liquefied: soil has liquefied in the storm; cycles_one_sided;
+/// water_shed; beyond_compaction.
 NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
   NumberedWarnings list;
   if (!summary.cycles) {
@@ -288,6 +301,13 @@ NumberedWarnings cycles_warnings(const Evidence& e, const Summary& summary) {
                         ": it has liquefied, and the stiffness, F_T and S of the run are those of sound ground" +
                         (cycles.why_no_settling == no_bound ? "; " + cycles.why_no_settling : ""),
                     "compact or drain the sand, or replace it, and run again"});
+  if (is_one_sided(e.scene, summary))
+    list.push_back(
+        {"cycles_one_sided", 1., 2., "1",
+         "[cycles] takes its shear from loads that push one way alone: without its trough a wave has up to "
+         "half of its amplitude, and a storm of such waves leaves several times less pore pressure",
+         "give the trough, too: [loads.NAME.wave] course = \"standing\", or a history that swings; till then "
+         "what holds by [cycles] is not judged"});
   const double shed = cycles.water.source > 0. ? cycles.water.shed / cycles.water.source : 0.;
   if (cycles.cells_liquefied == 0 && shed > most_shed)
     list.push_back(
@@ -363,11 +383,16 @@ Checks cycles_checks(const Scene& scene, const Summary& summary) {
     how += "; " + region.region + ": tau/sigma'_0 = " + significant(region.alpha) + " N^" + significant(region.beta) +
            (soil.alpha && soil.beta ? "" : ", assumed by its relative density");
   }
-  return {held_to(check_of(FailureMode::residual_pressure, "residual pore pressure", "", cycles.largest_ratio,
-                           "cycles.largest_ratio", how),
-                  scene.limits, &Limits::pressure_ratio),
-          settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement, scene.limits),
-          settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, scene.limits)};
+  Checks list{held_to(check_of(FailureMode::residual_pressure, "residual pore pressure", "", cycles.largest_ratio,
+                               "cycles.largest_ratio", how),
+                      scene.limits, &Limits::pressure_ratio),
+              settling_check(cycles, "settlement in the storm", "m", &CaissonSettling::settlement, scene.limits),
+              settling_check(cycles, "tilt in the storm", "rad", &CaissonSettling::tilt, scene.limits)};
+  const bool one_sided = is_one_sided(scene, summary);
+  for (Check& check : list)
+    if (one_sided && check.holds && *check.holds)
+      check = not_checked(check, "it holds with the shear of a crest alone, and the wave of the run has no trough");
+  return list;
 }
 
 OutputSchema<CyclicRegion> cyclic_region_outputs() {

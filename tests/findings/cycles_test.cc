@@ -106,6 +106,7 @@ TEST(Cycles, ShearInProportionToTheHeight) {
 TEST(Cycles, AreJudgedByTheirLimits) {
   Scene scene = stormy_scene(1e5);
   Summary s = gentle();
+  s.response->peak_force_seaward = -s.response->peak_force;  // with its trough
   const auto judged = [&](const char* name) {
     s.checks = checks_of(scene, s, {});
     return check_named(s, name)->holds;
@@ -185,6 +186,23 @@ TEST(Cycles, BuildNothingInClay) {
     if (mesh.surface_of(cell) == "mound") {
       EXPECT_LT(s.cycles->fields->pressure[cell->active_cell_index()], 1.);  // stones drain at once
     }
+}
+
+/// A wave without its trough has half of the amplitude of shear: it fails rightly, and holds nothing.
+TEST(Cycles, OfACrestAloneHoldNothing) {
+  EXPECT_TRUE(warns(gentle(), "cycles_one_sided"));
+  Scene scene = stormy_scene(1e5);
+  for (const bool holds : {true, false}) {
+    const double share = holds ? 1.1 : 0.9;
+    scene.limits.pressure_ratio = share * gentle().cycles->largest_ratio;
+    scene.limits.settlement = share * gentle().cycles->by_compaction->settlement;
+    Summary s = gentle();
+    s.checks = checks_of(scene, s, {});
+    for (const char* name : {"residual pore pressure", "settlement in the storm"})
+      EXPECT_EQ(check_named(s, name)->holds, holds ? std::nullopt : std::optional(false)) << name;
+  }
+  scene.loads["impulse"].history = piecewise_linear({0., 0.2, 0.4, 0.6, 0.8}, {0., 1e5, 0., -1e5, 0.});
+  EXPECT_FALSE(warns(summary_of(scene), "cycles_one_sided"));
 }
 
 /// Slowly loaded drained sand between rollers: s_x = nu/(1 - nu) s_y, so that the amplitude of a pulse q is
