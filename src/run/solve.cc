@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 
 #include "base/numbers.h"
 #include "base/progress.h"
@@ -18,6 +19,7 @@
 #include "run/monitors.h"
 #include "run/sliding/slip_ahead.h"
 #include "run/soil_member.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -372,6 +374,22 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
   return whole;
 }
 
+/// Shows an observer of all unknowns the states of a caisson that may slip and is bonded for now.
+class WithoutSlip : public MarchObserver {
+ public:
+  WithoutSlip(MarchObserver& observer, int n_unknowns) : observer_(observer), none_(Vector::Zero(n_unknowns)) {}
+  void see(const State& state, int step, int n_steps) override {
+    State whole = state;
+    for (Vector* part : {&whole.x, &whole.v, &whole.a}) part->conservativeResizeLike(none_);
+    observer_.see(whole, step, n_steps);
+  }
+  bool wants(double time) const override { return observer_.wants(time); }
+
+ private:
+  MarchObserver& observer_;
+  Vector none_;
+};
+
 /// Whether a march is resumed that several processes have begun.
 bool was_shared(const Checkpointing& checkpoints) {
   return checkpoints.resume_from && checkpoints.resume_from->observed.empty();
@@ -384,11 +402,15 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
   MarchOptions marching = options;
   const auto monitors =
       options.monitored ? std::make_shared<Monitors>(simulation, was_shared(options.checkpoints)) : nullptr;
+  const System& system = in_place != nullptr ? *in_place : simulation.system();
+  std::list<WithoutSlip> bonded;
   if (monitors) {
-    const std::vector<MarchObserver*> first = monitors->observers();
+    std::vector<MarchObserver*> first = monitors->observers();
+    const int n_unknowns = simulation.unknowns()->size();
+    for (MarchObserver*& observer : first)
+      if (n_unknowns > whole_size(system)) observer = &bonded.emplace_back(*observer, n_unknowns);
     marching.observers.insert(marching.observers.begin(), first.begin(), first.end());
   }
-  const System& system = in_place != nullptr ? *in_place : simulation.system();
   const TimeChoice& time = simulation.scene().time;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);

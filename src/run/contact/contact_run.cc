@@ -257,6 +257,7 @@ BondedContact solve_bonded(const Simulation& simulation, const Marching& marchin
   silent.observers = {&reported};
   silent.beside = marching.beside;
   const bool soil_yields = yields(simulation.scene());
+  silent.monitored = marching.monitored && !soil_yields;  // where nothing slips it is the answer
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
   out.solution = soil_yields ? run_yielding(bonded, silent, {}, false) : run_bonded(bonded, silent);
   out.margin = out.solution.reduction ? out.solution.reduction->error_of_others : 0.;
