@@ -117,6 +117,25 @@ OutputSchema<EnergyAccount> energy_outputs() {
       .key("mismatch", &E::mismatch, "", "`response.energy_mismatch`");
 }
 
+double farther_of(double a, double b) {
+  return std::abs(a) < std::abs(b) ? b : a;
+}
+
+/// With the rotation and the moment of the rows of /history, which lie inside the steps, too.
+std::optional<ShearResponse> find_response(const Evidence& e) {
+  std::optional<ShearResponse> r = e.of(find_shear);
+  const Series& series = e.of(find_history).series;
+  if (!r || series.time.empty()) return r;
+  const auto row = [&](const char* name) { return series.reading.row(e.simulation.system().reading(name)); };
+  const auto take = [](const auto& values, double& peak, double& farthest) {
+    peak = std::max(peak, values.maxCoeff());
+    farthest = farther_of(farthest, farther_of(values.maxCoeff(), values.minCoeff()));
+  };
+  take(row(reading::rotation), r->peak_rotation, r->largest_rotation);
+  take(row(reading::base_moment), r->peak_base_moment, r->largest_base_moment);
+  return r;
+}
+
 std::vector<LoadOnCaisson> find_loads(const Evidence& e) {
   return e.simulation.compiled()->loads_on_caisson;
 }
@@ -139,10 +158,23 @@ SkippedList skipped_shear(const Simulation& simulation, bool) {
   return {{"shear force", "the mesh has no surface 'caisson'"}};
 }
 
+/// Warning answer_cut: the run stops early with more than a tenth of its energy, which is a third of its motion.
+NumberedWarnings stop_warnings(const Evidence& e) {
+  constexpr double rests = 0.1;
+  const double share = e.scene.time.stop_at_energy.value_or(0.);
+  if (!e.solution.discretisation.stopped_early || share <= rests) return {};
+  return {{"answer_cut", share, rests, "1",
+           "the run stops where " + percent(share) +
+               " of its largest energy is left: forces, pressures, margins and S may be larger after that, and are not "
+               "judged",
+           "give time.stop_at_energy = 0.01, or leave it out", true}};
+}
+
 /// Warning still_grows: the loads go on after the run, and so does the growth of F_T.
 NumberedWarnings growth_warnings(const Evidence& e, const Summary& summary) {
   constexpr double before_last_part = 0.8, steady = 1.01;
-  if (!summary.response || !loads_go_on(e.simulation)) return {};
+  if (!summary.response) return {};
+  if (!loads_go_on(e.simulation)) return stop_warnings(e);
   const Series& series = e.of(find_history).series;
   const auto F = series.reading.row(e.simulation.system().reading(reading::shear_force));
   double before = 0., last = 0.;
@@ -184,7 +216,7 @@ Finding shear_finding() {
   };
   f.skipped_of_scene = skipped_shear;
   f.warnings = growth_warnings;
-  return f.part(&Summary::response, find_shear)
+  return f.part(&Summary::response, find_response)
       .part(&Summary::loads, find_loads)
       .part(&Summary::error, find_peak_error)
       .part(&Summary::history_error, find_history_error);
