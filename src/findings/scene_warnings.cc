@@ -66,26 +66,46 @@ CellsToWave cells_to_wave(const WaveResolution& at, double wavelength, const Mes
   return {wavelength, n, rule.cells, rule.error * std::pow(rule.cells / n, rule.order)};
 }
 
+/// Error of the history of F_T from which no verdict is drawn: its peak then errs by several percent, too (18 %
+/// measured in steps of ten times the limit).
+constexpr double errs_too_much = 0.5;
+
 std::string rough_percent(double share) {
-  return share > 0.5 ? "half or more" : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
+  return share > errs_too_much ? "half or more"
+                               : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
 }
 
 /// Warning step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a
-/// 32nd of it (order 2). None where a reduced model is used.
-NumberedWarnings step_warnings(const Simulation& simulation) {
-  if (!simulation.scene().time.step) return {};
+/// 32nd of it (order 2).
+NumberedWarnings warnings_of_steps(const Simulation& simulation, TimeScheme scheme, double step) {
   const std::optional<double> time = passing_time(simulation);
   if (!time) return {};
-  const TimeScheme scheme = choose_scheme(simulation.scene(), *simulation.compiled()).scheme;
-  if (scheme == TimeScheme::reduced) return {};
   const StepRule rule = scheme == TimeScheme::generalised_alpha ? of_order_2 : of_order_4;
-  const double step = *simulation.scene().time.step, limit = *time / rule.steps;
+  const double limit = *time / rule.steps;
   if (step <= limit) return {};
+  const double error = rule.error * std::pow(step / limit, rule.order);
   return {{"step_too_coarse", step, limit, "s",
            "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
                " s: the history of " + (simulation.compiled()->caisson ? "F_T" : "a reading") + " may err by " +
-               rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak",
-           "give time.step at most " + significant(limit, 2) + " s, or step = \"auto\""}};
+               rough_percent(error) + " of its peak",
+           "give time.step at most " + significant(limit, 2) + " s, or step = \"auto\"", error > errs_too_much}};
+}
+
+bool is_to_be_reduced(const Simulation& simulation) {
+  return choose_scheme(simulation.scene(), *simulation.compiled()).scheme == TimeScheme::reduced;
+}
+
+/// None where a reduced model is to answer.
+NumberedWarnings step_warnings(const Simulation& simulation) {
+  if (!simulation.scene().time.step || is_to_be_reduced(simulation)) return {};
+  return warnings_of_steps(simulation, choose_scheme(simulation.scene(), *simulation.compiled()).scheme,
+                           *simulation.scene().time.step);
+}
+
+/// Where a reduced model was to answer, and it was marched all the same.
+NumberedWarnings warnings_of_march(const Evidence& e, const Summary&) {
+  if (e.solution.model || !e.scene.time.step || !is_to_be_reduced(e.simulation)) return {};
+  return warnings_of_steps(e.simulation, TimeScheme::sdirk4, e.solution.discretisation.time_step);
 }
 
 /// Warning jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
@@ -147,7 +167,8 @@ NumberedWarnings mesh_warnings(const Simulation& simulation) {
                           " m" + (rings ? " (without damping it goes on)" : "") + ": the history of F_T may err by " +
                           rough_percent(worst.error) + " of its peak",
                       "refine the mesh" + std::string(rings ? ", give the soil damping" : "") +
-                          ", or write mesh.refine = \"auto\""});
+                          ", or write mesh.refine = \"auto\"",
+                      worst.error > errs_too_much});
   }
   return list;
 }
@@ -250,7 +271,7 @@ NumberedWarnings uplift_warnings(const Simulation& simulation) {
       {seen > 0. ? "load_cut" : "load_zero", uplift.lag, end, "s",
        "the prescribed uplift follows P by " + significant(uplift.lag) + " s, and the run ends at " + significant(end) +
            " s: " + (seen > 0. ? "no more than " + percent(seen / peak) + " of its peak acts" : "nothing of it acts"),
-       "look at the unit of sliding.uplift.lag (s), or give a longer time.end"}};
+       "look at the unit of sliding.uplift.lag (s), or give a longer time.end", true}};
 }
 
 /// A pulse builds up the pressure beside the face as a jump would that takes this share of the pulse's duration.
@@ -401,6 +422,7 @@ Finding scene_finding() {
   Finding f;
   f.of_scene = scene_warnings;
   f.skipped_of_scene = skipped_in_scene;
+  f.warnings = warnings_of_march;
   return f;
 }
 
