@@ -148,6 +148,20 @@ NumberedWarnings liquefaction_warnings(const Evidence& e, const Summary& summary
   return list;
 }
 
+/// Whether a wave beside a caisson presses on its walls alone: then its trough over the ground, which lifts that most,
+/// is not in the scene.
+bool lacks_wave(const Scene& scene, const Summary& summary) {
+  if (!summary.response || is_shaken(scene)) return false;
+  const auto is_on_caisson = [&](const std::string& name) {
+    return std::any_of(summary.loads.begin(), summary.loads.end(), [&](const LoadOnCaisson& on) {
+      return on.name == name && (on.force_x != 0. || on.force_y != 0.);
+    });
+  };
+  return std::none_of(scene.loads.begin(), scene.loads.end(), [&](const auto& load) {
+    return load.second.kind == LoadKind::pressure && load.second.factor != 0. && !is_on_caisson(load.first);
+  });
+}
+
 Checks liquefaction_checks(const Scene& scene, const Summary& summary) {
   if (!scene.limits.liquefaction) return {};
   std::string how =
@@ -165,6 +179,10 @@ Checks liquefaction_checks(const Scene& scene, const Summary& summary) {
   if (!worst) return {not_checked(check, "no pore pressure exceeds that on the surface above it")};
   if (!all.coarse.empty() && *check.holds)
     return {not_checked(check, significant(*all.factor, 4) + " is too large by an unknown part: " + all.coarse)};
+  if (*check.holds && lacks_wave(scene, summary))
+    return {not_checked(check, "it is " + significant(*all.factor, 4) +
+                                   " by the caisson's motion alone: no load presses on the sea or the bed, where the "
+                                   "wave's trough lifts the ground ([loads.NAME.wave] mound, or kind = \"train\")")};
   return {check};
 }
 

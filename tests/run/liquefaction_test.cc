@@ -8,6 +8,7 @@
 #include <complex>
 #include <set>
 
+#include "findings/find.h"
 #include "scenes.h"
 #include "upbead/run/simulation.h"
 
@@ -155,12 +156,26 @@ TEST(Liquefaction, OfABreakwaterHasPlacesOnBothSides) {
   }
   for (const char* region : {"mound", "seabed"})
     for (const char* side : {"sea", "harbour"}) EXPECT_EQ(names.count({region, side}), 1u) << region << side;
-  const Check* check = nullptr;
-  for (const Check& one : s.checks)
-    if (one.name == "momentary liquefaction") check = &one;
-  ASSERT_TRUE(check && check->balance && check->demand);
-  EXPECT_NEAR(check->balance->resisting / check->balance->acting, *check->demand, 1e-9 * *check->demand);
-  EXPECT_EQ(check->holds, *check->demand >= 1.);
+}
+
+/// What a wave on the wall alone does to the ground beside it fails rightly, and holds nothing.
+TEST(Liquefaction, OfAWaveOnTheWallAloneHoldsNothing) {
+  const Summary s = of_breakwater(TimeScheme::reduced);
+  const double factor = *s.liquefaction->factor;
+  const auto judged = [&](double limit, LoadKind kind) {
+    Scene scene;
+    scene.limits.liquefaction = limit;
+    scene.loads["sea"].kind = kind;
+    for (const Check& one : checks_of(scene, s))
+      if (one.name == "momentary liquefaction") {
+        EXPECT_NEAR(one.balance->resisting / one.balance->acting, factor, 1e-9 * factor);
+        return one.holds;
+      }
+    return std::optional<bool>();
+  };
+  EXPECT_EQ(judged(0.9 * factor, LoadKind::force), std::nullopt);
+  EXPECT_EQ(judged(1.1 * factor, LoadKind::force), false);
+  EXPECT_EQ(judged(0.9 * factor, LoadKind::pressure), true);
 }
 
 }  // namespace liquefaction_test
