@@ -1,5 +1,6 @@
 #include "case/new_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -31,8 +32,8 @@ seabed_depth = {seabed}
 seabed_front = {far}  # no echo of the sides before the end
 seabed_back = {far}
 water_depth = {depth}
-sea_front = 6  # length over depth
-sea_back = 6
+sea_front = {sea}  # length over depth
+sea_back = {sea}
 
 [section]  # for the wave's pressure, by Goda's formula with the impulsive pressure coefficient
 water_depth = {depth}
@@ -149,6 +150,7 @@ std::string new_case(const NewCase& s, const std::string& title) {
       {"period", s.period},
       {"end", 0.5 * s.period + 0.5},
       {"density", density},
+      {"sea", std::max(6., 1. + std::ceil((s.shoulder + 2. * s.mound) / s.depth))},  // beyond the toe of 1 : 2
       {"far", std::ceil(80. * (0.5 * s.period + 0.5) / 10.) * 10.},  // half the path of a shear wave of 160 m/s
   };
   std::string text = pattern;

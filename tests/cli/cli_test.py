@@ -72,6 +72,11 @@ class Cli(ProgramTest):
             self.assertIn(f"--width: {width} is no positive number; give one such as 20\n", done.stderr)
             self.assertEqual(self.left_behind(), [])
 
+    def test_a_case_of_a_wide_shoulder_has_sea_beyond_its_toe(self):
+        done = upbead("new", "mine.toml", "--width", "20", "--height", "17", "--shoulder", "100", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(upbead("explain", "mine.toml", cwd=self.folder).returncode, 0)
+
     def test_mistakes_of_a_case_are_told_without_the_solver(self):
         alone = self.folder / "upbead"
         shutil.copy(PROGRAM, alone)
