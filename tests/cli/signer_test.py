@@ -73,6 +73,54 @@ class Signer(ProgramTest):
             with self.subTest(setting):
                 self.assertEqual(self.names(setting) - before, {name} - {None})
 
+    def test_an_acceleration_without_a_unit_may_be_in_g(self):
+        base = SECTION.split("[loads.impulse]")[0].replace('displacement = "roller"', 'displacement = "level"') + "[time]\nend = 1.5\n" + SLIDING
+        for header, peak, factor, told in (("acc", 0.2, 1, True), ("acc", 0.2, 9.81, False), ("acc", 2, 1, False), ("acc", 2, 0.1, False),
+                                           ("acc (g)", 0.2, 1, False), ("acc (m/s2)", 0.2, 1, False), ("a_g", 0.2, 1, False)):
+            (self.folder / "quake.csv").write_text(f"time (s),{header}\n0,0\n0.2,{peak}\n0.6,{-peak}\n0.8,0\n")
+            quake = f'loads.quake={{ boundary = "base", kind = "acceleration", history = "quake.csv", factor = {factor} }}'
+            with self.subTest(header=header, peak=peak, factor=factor):
+                self.assertEqual("implausible" in self.names(quake, text=base), told)
+
+    def test_a_storm_of_minutes_or_of_less_than_a_wave_is_told(self):
+        sand = "regions.seabed.cyclic={ relative_density = 0.6 }"
+        for storm, told in (("significant_height = [3], run_height = 5, period = [10], duration = [7200]", False),
+                            ("significant_height = [3], run_height = 5, period = [10], duration = [2]", True),
+                            ("significant_height = [3], run_height = 5, period = [10], duration = [120]", True),
+                            ("number = [300], period = [10]", False), ("number = [0.3], period = [10]", True)):
+            with self.subTest(storm):
+                names = self.names(sand, f"cycles={{ {storm} }}", "initial.water_level=15")
+                self.assertEqual("implausible" in names, told)
+
+    def test_slip_node_by_node_is_judged_without_the_table_of_sliding(self):
+        """As with it, where it has the weight that the nodes bear."""
+        keys = ['regions.caisson.interface={ kind = "friction" }', "initial.water_level=15", "loads.impulse.pulse.peak=6e6", "limits.sliding=0.01"]
+        plain = self.ask("run", *keys, text=SECTION)
+        weight = plain["contact"]["weight"]
+        with_table = self.ask("run", *keys, text=SECTION + f"[sliding]\nfriction = 0.6\nsubmerged_weight = {weight!r}\n")
+        of = [next(check for check in found["checks"] if check["name"] == "sliding distance") for found in (plain, with_table)]
+        for key in ("holds", "capacity", "why_not"):
+            self.assertEqual(of[0][key], of[1][key], key)
+        self.assertAlmostEqual(of[0]["demand"] / of[1]["demand"], 1, 6)
+        self.assertIs(plain["verdict"]["holds"], False)
+        cut = self.ask("run", *keys, "time.end=0.25", "limits.sliding=10", text=SECTION)
+        self.assertIsNone(next(check for check in cut["checks"] if check["name"] == "sliding distance")["holds"], "it still slides")
+
+    def test_a_shear_force_above_friction_that_nothing_judges_holds_nothing(self):
+        keys = ["initial.water_level=15", "limits.overturning=1"]
+        for peak, void in ((5e5, False), (6e6, True)):
+            found = self.ask("run", *keys, f"loads.impulse.pulse.peak={peak}", text=SECTION)
+            self.assertEqual("sliding_not_judged" in (found["verdict"]["why_void"] or ""), void)
+
+    def test_cycles_of_a_frictional_contact_that_bears_are_those_of_a_bonded_one(self):
+        keys = ["regions.seabed.cyclic={ relative_density = 0.6 }", "cycles={ number = [300], period = [10] }", "initial.water_level=15",
+                'time.scheme="sdirk4"', "loads.impulse.pulse.peak=5e5", "regions.seabed.strength={ friction_angle = 35, cohesion = 5e3 }"]
+        found = [self.ask("run", *keys, f'regions.caisson.interface={{ kind = "{kind}" }}') for kind in ("bonded", "friction")]
+        self.assertIsNone(found[1]["contact"]["solved"])
+        for part, key in (("cycles", "largest_ratio"), ("strength", "largest")):
+            values = [summary[part][0][key] if isinstance(summary[part], list) else summary[part][key] for summary in found]
+            self.assertAlmostEqual(values[1] / values[0], 1, 6)
+
     def test_a_lid_on_the_sea_bed_is_told(self):
         sealed = "boundaries.bed.pressure=sealed"
         for more, told in ((("initial.water_level=15",), True), ((), False)):

@@ -4,7 +4,10 @@
 usage: verdict_test.py PROGRAM CASES_FOLDER
 """
 
+import math
 import re
+
+import h5py
 
 from program import CASES, ProgramTest, main, upbead, with_keys
 
@@ -96,6 +99,70 @@ class OfALumpedModel(ProgramTest):
     def test_a_run_whose_loads_are_all_switched_off_is_told(self):
         self.assertIn("load_zero", names(self.told("loads.push.factor=0")))
         self.assertNotIn("load_zero", names(self.told()))
+
+    def test_what_cannot_be_and_what_never_acts_holds_nothing(self):
+        """A force in kN, a friction in degrees, W' in air and a load after the end make every check hold."""
+        self.assertIs(self.told("limits.sliding=0.01")["verdict"]["holds"], False)
+        late = 'loads.late={ boundary = "front", kind = "force", pulse = { shape = "triangle", peak = 9e6, duration = 0.3, start = 3 } }'
+        uplift = 'sliding.uplift={ kind = "prescribed", peak = %s }'
+        for key, name in (("loads.push.pulse.peak=3000", "implausible"), ("sliding.friction=31", "implausible"),
+                          (uplift % "800", "implausible"), ("limits.sliding=30", "implausible"),
+                          ("regions.caisson.moment_of_inertia=1e12", "implausible"),
+                          ("sliding.submerged_weight=5.9e6", "submerged_weight"), ("loads.push.factor=0", "load_zero"),
+                          (late, "load_zero"), (uplift % "8e5, lag = 5", "load_zero"), (uplift % "8e5, lag = 1.9", "load_cut")):
+            with self.subTest(key):
+                verdict = self.told("limits.sliding=0.01", key)["verdict"]
+                self.assertIsNone(verdict["holds"], verdict["text"])
+                self.assertIn(name, verdict["why_void"])
+
+    def test_a_weight_above_the_caisson_s_is_told_before_one_below_it(self):
+        for weight, told in ((4.2e6, False), (WEIGHT, False), (4.45e6, True), (3.8e6, True)):
+            found = self.told(f"sliding.submerged_weight={weight}")
+            self.assertEqual("submerged_weight" in names(found), told, weight)
+            self.assertEqual(found["verdict"]["holds"] is None, abs(weight / WEIGHT - 1) > 0.1)
+
+    def test_a_run_that_stops_while_it_swings_holds_nothing(self):
+        for share, void in ((0.9, True), (0.001, False)):
+            told = self.told(f"time.stop_at_energy={share}", "loads.push.pulse.duration=0.05", "time.end=20")
+            self.assertEqual("answer_cut" in names(told), void)
+            self.assertEqual(told["verdict"]["holds"] is None, void, told["verdict"]["text"])
+
+    def test_a_step_that_is_too_long_holds_nothing_where_a_reduced_model_was_to_answer(self):
+        for step, void in ((0.3, True), (0.01, False)):
+            told = self.told(f"time.step={step}")
+            self.assertEqual("step_too_coarse" in names(told), void)
+            self.assertEqual(told["verdict"]["holds"] is None, void, told["verdict"]["text"])
+
+    def test_a_load_that_drops_at_once_counts_until_then(self):
+        """Its static pressures, margin and arm are those of the same peak that falls more slowly."""
+        pulse = 'loads.push.pulse={ shape = "triangle", peak = 1.5e6, duration = 0.4, rise = %s }'
+        saw, slow = (self.told(pulse % rise) for rise in (0.4, 0.2))
+        self.assertAlmostEqual(saw["response"]["arm"], slow["response"]["arm"], 9)
+        for key in ("static_heel_pressure", "static_overturning_margin"):
+            self.assertAlmostEqual(saw["base"][key] / slow["base"][key], 1, 6, key)
+
+    def test_a_record_that_ends_at_its_peak_holds_nothing(self):
+        rows = [(0.002 * i, 1e6 * math.sin(math.pi * max(0, 0.002 * i - 0.1) / 0.4)) for i in range(251)]
+        record = 'loads.push={ boundary = "front", kind = "force", direction = [1, 0], history = "record.csv" }'
+        for kept, names_told, void in ((251, [], False), (151, ["load_drops"], True), (140, ["load_drops"], True), (205, ["load_drops"], False)):
+            (self.folder / "record.csv").write_text("time (s),force (N/m)\n" + "".join(f"{t},{f}\n" for t, f in rows[:kept]))
+            text = LUMPED[:LUMPED.index("[loads.push]")] + LUMPED[LUMPED.index("[time]"):]
+            (self.folder / "case.toml").write_text(text)
+            told = self.told(record)
+            self.assertEqual([name for name in names(told) if name == "load_drops"], names_told, kept)
+            self.assertEqual(told["verdict"]["holds"] is None, void, told["verdict"]["text"])
+        (self.folder / "record.csv").write_text("time (s),F1,F2\n0,0,0\n0.1,4e5,4e6\n0.2,0,0\n")
+        self.assertIn("column_chosen", names(self.told(record)))
+        (self.folder / "record.csv").write_text("time (s),force (N/m)\n0,0\n0.1,4e5\n2,4e5\n")
+        self.assertNotIn("load_drops", names(self.told(record)), "it goes on until the end")
+
+    def test_peaks_of_a_summary_are_those_of_its_own_histories(self):
+        told = self.told("time.step=0.05", "loads.push.pulse.duration=0.4", command="run")
+        with h5py.File(self.folder / "out/results.h5") as file:
+            for key, history in (("rotation", "history/caisson/rotation"), ("base_moment", "history/base_moment")):
+                values = file[history][:]
+                self.assertGreaterEqual(told["response"]["peak_" + key], values.max())
+                self.assertGreaterEqual(abs(told["response"]["largest_" + key]), abs(values).max())
 
     def test_springs_in_kilonewtons_are_told_at_any_scale(self):
         def accused(*keys):
