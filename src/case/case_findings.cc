@@ -1,6 +1,7 @@
 #include "case/case_findings.h"
 
 #include <cmath>
+#include <map>
 
 #include "base/numbers.h"
 #include "base/text.h"
@@ -90,6 +91,60 @@ NumberedWarnings centroid_warnings(const Case& input, const Simulation& simulati
                significant(0.5 * B - *e, 4) +
                " m: overturning and edge pressures by formulas and by dynamics are of two caissons",
            "give section.centroid = " + significant(0.5 * B - *e, 4) + ", or mend the caisson's centre of gravity"}};
+}
+
+/// What of the meshed ground is seaward of the caisson's wall: height of its surface at the wall, and how far it stays
+/// there (m).
+struct MeshedBerm {
+  double height = 0., width = 0.;
+};
+
+std::optional<MeshedBerm> meshed_berm(const Simulation& simulation) {
+  const Caisson& caisson = *simulation.compiled()->caisson;
+  const Mesh& mesh = *simulation.mesh();
+  const double B = caisson.bottom_width, wall = caisson.bottom_centre[0] - 0.5 * B, hair = 0.01 * B;
+  const auto is_ground = [&](const auto& cell) {
+    const std::string& name = mesh.surface_of(cell);
+    const RegionKind kind = simulation.scene().regions.at(name).kind;
+    return name != caisson.body.region && (kind == RegionKind::porous || kind == RegionKind::solid);
+  };
+  std::map<double, double> surface;  // y by distance from the wall
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      const auto face = cell->face(f);
+      if (!is_ground(cell) || face->center()[1] <= cell->center()[1] || face->center()[0] >= wall) continue;
+      if (!cell->at_boundary(f) && is_ground(cell->neighbor(f))) continue;
+      for (const unsigned v : {0U, 1U}) surface[wall - face->vertex(v)[0]] = face->vertex(v)[1];
+    }
+  if (surface.empty() || surface.begin()->first > hair) return std::nullopt;
+  MeshedBerm berm{surface.begin()->second, 0.};
+  for (const auto& [away, y] : surface) {
+    if (std::abs(y - berm.height) > hair) break;
+    berm.width = away;
+  }
+  return berm;
+}
+
+/// Warning berm_differs: Goda's formulas are asked about another berm than is meshed. Armour that is not meshed makes
+/// the water over it shallower, never deeper.
+NumberedWarnings berm_warnings(const Case& input, const Simulation& simulation) {
+  constexpr double same = 0.1;  // of the meshed one
+  if (!simulation.compiled()->caisson || acting_waves(input).empty()) return {};
+  const Section& section = acting_waves(input).front()->section;
+  const std::optional<MeshedBerm> berm = meshed_berm(simulation);
+  if (!berm) return {};
+  const double depth = section.foundation_depth - (berm->height - simulation.compiled()->caisson->bottom_centre[1]);
+  NumberedWarnings list;
+  const auto add = [&](const char* key, double given, double meshed) {
+    list.push_back({"berm_differs", given, meshed, "m",
+                    std::string("section.") + key + " = " + significant(given, 4) + " m, of the meshed mound " +
+                        significant(meshed, 4) + " m: alpha_2, alpha_I and P are those of another mound",
+                    "give one mound in both"});
+  };
+  if (depth > 0. && section.berm_depth > (1. + same) * depth) add("berm_depth", section.berm_depth, depth);
+  if (std::abs(section.berm_width - berm->width) > same * berm->width)
+    add("berm_width", section.berm_width, berm->width);
+  return list;
 }
 
 /// Whether one of these curves meets the foot of a wall of the caisson, so that a pressure on it gets under the base.
@@ -201,6 +256,7 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, warnings_of_levels(input));
   append(list, centroid_warnings(input, simulation));
+  append(list, berm_warnings(input, simulation));
   append(list, warnings_of_no_uplift(input, simulation));
   append(list, warnings_of_other_uplift(input));
   append(list, transducer_warnings(input, simulation));

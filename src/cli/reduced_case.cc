@@ -32,8 +32,9 @@ namespace upbead {
 namespace {
 
 /// The loads of a scene under the names that they have in the reduced model.
-std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) {
+std::vector<ModelLoad> model_loads(const Scene& scene, const CompiledScene& compiled, const ModalModel& model) {
   std::vector<ModelLoad> list;
+  const std::vector<SystemLoad>& loads = compiled.system.loads;
   for (const std::string& name : model.load_name) {
     const Load& load = scene.loads.at(name);
     Scene alone;
@@ -42,8 +43,10 @@ std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) 
     const double up = extremum(load.history, 0., scene.time.end, 1).value;
     const double down = extremum(load.history, 0., scene.time.end, -1).value;
     const double duration = shortest_duration(alone);
-    list.push_back(
-        {name, unit_of(load.kind), std::max(up, -down), std::isfinite(duration) ? duration : scene.time.end});
+    const auto own =
+        std::find_if(loads.begin(), loads.end(), [&name](const SystemLoad& one) { return one.name == name; });
+    list.push_back({name, unit_of(load.kind), std::max(up, -down), std::isfinite(duration) ? duration : scene.time.end,
+                    compiled.loads_on_caisson.at(static_cast<std::size_t>(own - loads.begin())).moment});
   }
   return list;
 }
@@ -81,7 +84,7 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.case_text = effective_case(input, folder);
   file.modes = std::move(reduction.model);
   join_pore_pressures(file.modes);
-  file.loads = model_loads(input.scene, file.modes);
+  file.loads = model_loads(input.scene, *simulation.compiled(), file.modes);
   file.caisson_mass = simulation.compiled()->caisson ? simulation.compiled()->caisson->body.mass : 0.;
   file.end = input.scene.time.end;
   file.sliding = sliding_of_case(input.scene, simulation);

@@ -48,6 +48,7 @@ std::string answers_text(const AnsweredModel& of, const Json& summary, const Res
                       {"which slips", "circle.slips"},
                       {"by pressure", "circle.by"}},
                      "", longest_table);
+  if (summary["not_judged"].is_string()) text += "not judged  " + summary["not_judged"].get<std::string>() + "\n";
   if (summary["why_void"].is_string())
     text += "verdict     VOID, as the warnings say: " + summary["why_void"].get<std::string>() + "\n";
   text += "time        read " + significant(timing.read) + " s, respond " + significant(timing.respond) + " s";

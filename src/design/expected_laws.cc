@@ -44,6 +44,20 @@ int load_of(const ReducedModelFile& file, const std::string& name) {
   return best;
 }
 
+/// Warning load_left_out: the waves of a design act by one load of the model's case, and the others by none.
+NumberedWarnings warnings_of_other_loads(const ReducedModelFile& file, int load) {
+  std::vector<std::string> others;
+  for (int k = 0; k < file.modes.n_loads(); ++k)
+    if (k != load && file.loads[static_cast<std::size_t>(k)].peak > 0.)
+      others.push_back(file.modes.load_name[static_cast<std::size_t>(k)]);
+  if (others.empty()) return {};
+  return {{"load_left_out", static_cast<double>(others.size()), 0., "1",
+           "waves act by the load " + in_quotes(file.modes.load_name[static_cast<std::size_t>(load)]) +
+               " of the model's case alone: " + join(others) + ", which acts there, too, is in no wave here",
+           "count a weight in [section] weight and submerged_weight, an uplift by [impact]; reduce a case without the "
+           "rest"}};
+}
+
 void check_mass(double mass, const Section& section, const Water& water, const Place& place, Diagnostics& mistakes) {
   const double weight = mass * water.gravity;
   if (std::abs(weight / section.weight - 1.) <= mass_tolerance) return;
@@ -163,6 +177,7 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
       file.modes.load_name[static_cast<std::size_t>(load)],
       {file.modes, load, file.modes.index(reading::shear_force), forces(file.modes)[load], file.caisson_mass},
       file.warnings};
+  append(model.warnings, warnings_of_other_loads(file, load));
   const std::vector<const char*> base{reading::normal_force, reading::base_moment, reading::uplift,
                                       reading::uplift_moment};
   if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))

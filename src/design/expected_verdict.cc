@@ -288,6 +288,27 @@ void add_below_goda(const Design& design, const ExpectedAnswer& answer, Numbered
                   "leave peak_gain out, or give a larger one"});
 }
 
+/// Warns of levels of [levels] that no sea of the design has.
+void add_levels(const DesignTables& tables, const std::vector<StateAnswer>& states, NumberedWarnings& list) {
+  double low = 0., high = 0.;
+  if (tables.storms) {
+    low = std::min(low, tables.storms->tide_low);
+    high = std::max(high, tables.storms->tide_high);
+  }
+  for (const StateAnswer& answer : states) {
+    low = std::min(low, answer.state.water_level);
+    high = std::max(high, answer.state.water_level);
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, rise] : tables.levels)
+    if (rise < low || rise > high) names.push_back(name);
+  if (names.empty()) return;
+  list.push_back({"levels_not_used", static_cast<double>(names.size()), 0., "1",
+                  "distances and lives are those of seas from " + significant(low) + " to " + significant(high) +
+                      " m above the still water of [section], not at " + join(names) + " of [levels]",
+                  "give sea states a water_level, or [storms] tide_low and tide_high"});
+}
+
 }  // namespace
 
 Headline headline_of(const std::map<Law, Expectation>& laws) {
@@ -349,6 +370,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   add_unused(design, list);
   if (answer.model) append(list, answer.model->warnings);
   append(list, factor_warnings(checks_of(design, answer), design.tables.limits));
+  add_levels(design.tables, answer.states, list);
   const Limits& limits = design.tables.limits;
   if (design.tables.sea) {
     add_impossible_seas(answer.states, list);

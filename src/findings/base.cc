@@ -238,12 +238,11 @@ Checks base_checks(const Scene& scene, const Summary& summary) {
     margin.has_rival = true;
     margin = held_to(margin, scene.limits, &Limits::overturning);
     const auto& still = base.static_overturning_margin;
-    if (is_solved_with_friction(summary) && margin.holds && *margin.holds && still && *still < *margin.capacity)
-      margin =
-          not_checked(margin, "the loads without motion have " + significant(*still, 4) +
-                                  " at their worst, below the limit: the reaction of a base that opens stays on it, "
-                                  "so that " +
-                                  significant(*margin.demand, 4) + " of the motion does not tell");
+    if (is_solved_with_friction(summary) && margin.capacity && still && *still < *margin.capacity)
+      margin = in_doubt(margin, "the loads without motion have " + significant(*still, 4) +
+                                    " at their worst, below the limit: the reaction of a base that opens stays on it, "
+                                    "so that " +
+                                    significant(*margin.demand, 4) + " of the motion does not tell");
     list.push_back(margin);
   }
   if (summary.formula_checks.empty() || !formulas_know_all(scene, summary))
@@ -311,7 +310,7 @@ Finding base_finding() {
              "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
   };
   f.parts.emplace_back([](const Evidence& e, Summary& s) {
-    const std::optional<ShearResponse> response = find_shear(e.solution);
+    const std::optional<ShearResponse>& response = e.of(find_shear);
     s.loads_elsewhere = response && acts_elsewhere(e.simulation, *response);
   });
   f.warnings = base_warnings;

@@ -193,10 +193,10 @@ NumberedWarnings circle_warnings(const Evidence& e, const Summary& summary) {
 Check judged_by_water(const Check& check, const Scene& scene, const SlipCircles& circles) {
   const bool has_pores = std::any_of(scene.regions.begin(), scene.regions.end(),
                                      [](const auto& r) { return r.second.kind == RegionKind::porous; });
-  if (circles.why_not_computed.empty() || !has_pores || !check.holds || !*check.holds) return check;
-  return not_checked(check,
-                     "F is " + significant(*check.demand, 4) +
-                         " in still water's pressure, and that of the pores is not known: " + circles.why_not_computed);
+  if (circles.why_not_computed.empty() || !has_pores || !check.demand) return check;
+  return in_doubt(check,
+                  "F is " + significant(*check.demand, 4) +
+                      " in still water's pressure, and that of the pores is not known: " + circles.why_not_computed);
 }
 
 Check block_check(const Scene& scene, const SlipBlockFound& block) {

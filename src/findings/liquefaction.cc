@@ -177,13 +177,12 @@ Checks liquefaction_checks(const Scene& scene, const Summary& summary) {
   if (worst) check.balance = Balance{worst->pressure, worst->stress, "Pa"};
   if (!summary.liquefaction) return {not_checked(check, summary.why_no_liquefaction)};
   if (!worst) return {not_checked(check, "no pore pressure exceeds that on the surface above it")};
-  if (!all.coarse.empty() && *check.holds)
-    return {not_checked(check, significant(*all.factor, 4) + " is too large by an unknown part: " + all.coarse)};
-  if (*check.holds && lacks_wave(scene, summary))
-    return {not_checked(check, "it is " + significant(*all.factor, 4) +
-                                   " by the caisson's motion alone: no load presses on the sea or the bed, where the "
-                                   "wave's trough lifts the ground ([loads.NAME.wave] mound, or kind = \"train\")")};
-  return {check};
+  if (!all.coarse.empty())
+    return {in_doubt(check, significant(*all.factor, 4) + " is too large by an unknown part: " + all.coarse)};
+  if (!lacks_wave(scene, summary)) return {check};
+  return {in_doubt(check, "it is " + significant(*all.factor, 4) +
+                              " by the caisson's motion alone: no load presses on the sea or the bed, where the "
+                              "wave's trough lifts the ground ([loads.NAME.wave] mound, or kind = \"train\")")};
 }
 
 OutputSchema<LiquefiedPlace> place_outputs() {

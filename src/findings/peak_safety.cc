@@ -131,6 +131,7 @@ NumberedWarnings peak_warnings(const Evidence& e, const Summary& summary) {
                     "strength reduction gives " + significant(*s.lower, 3) + " " + told_failure(s) +
                         ": figures of another kind, or cells too coarse for a narrow band",
                     "halve the cells until the factor stays; the smaller of the two governs"});
+  append(list, reduction_warnings(e.simulation, "limits.peak_safety", s.lower, limit));
   return list;
 }
 

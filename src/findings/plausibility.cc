@@ -16,6 +16,49 @@ namespace upbead {
 
 namespace {
 
+/// About its G (Pa); 0 where it has none.
+double stiffness_of(const Region& region) {
+  if (region.shear_modulus) return *region.shear_modulus;
+  if (region.stress_law) return region.stress_law->reference;
+  return region.youngs_modulus.value_or(0.) / 3.;
+}
+
+/// Springs and dashpots of boundaries stand for ground beyond the mesh, of the width W: about G over a length that is
+/// neither far beyond W nor far below a hundredth of it, and rho V of soils (Lysmer and Kuhlemeyer 1969).
+void judge_boundaries(const Scene& scene, double width, NumberedWarnings& list) {
+  constexpr double soil_density = 2e3;
+  double least = infinity, largest = 0.;
+  for (const auto& [name, region] : scene.regions)
+    if (const double G = name == caisson_name ? 0. : stiffness_of(region); G > 0.) {
+      least = std::min(least, G);
+      largest = std::max(largest, G);
+    }
+  if (!(largest > 0.)) return;
+  const double softest = least / width, stiffest = largest / width, slow = std::sqrt(soil_density * least),
+               fast = std::sqrt(soil_density * largest);
+  const Quantity spring{"Pa/m",
+                        0.02 * softest,
+                        1e5 * stiffest,
+                        0.2 * softest,
+                        1e3 * stiffest,
+                        {{"kPa/m", 1e3}, {"MPa/m", 1e6}},
+                        "about G of the ground over its depth or width"},
+      dashpot{"Pa s/m",
+              0.02 * slow,
+              50. * fast,
+              0.2 * slow,
+              5. * fast,
+              {{"kPa s/m", 1e3}, {"MPa s/m", 1e6}},
+              "about density times wave speed of the ground"};
+  for (const auto& [name, boundary] : scene.boundaries)
+    for (const int i : {0, 1}) {
+      const std::string at = "boundaries." + name + ".", way = i == 0 ? ", along the normal" : ", along the tangent";
+      if (boundary.spring) judge(at + "spring" + way, (*boundary.spring)[static_cast<std::size_t>(i)], spring, list);
+      if (boundary.dashpot)
+        judge(at + "dashpot" + way, (*boundary.dashpot)[static_cast<std::size_t>(i)], dashpot, list);
+    }
+}
+
 /// Numbers of a scene that only its mesh can judge, as it may be a model of any scale, in a centrifuge or not.
 class OnItsMesh {
  public:
@@ -32,6 +75,7 @@ class OnItsMesh {
     for (const auto& [name, region] : scene_.regions)
       if (regions_.count(name) > 0) judge_region("regions." + name + ".", region, regions_.at(name));
     judge_level();
+    judge_boundaries(scene_, all_.width(), list_);
     judge_loads();
     judge_shapes();
   }
@@ -139,9 +183,9 @@ class OnItsMesh {
         judge("loads." + on.name + ", its largest velocity", peak, quantities::velocity, list_);
       else if (caisson && force > 0. && !(load.transducer.empty() && is_unit_load(peak)))
         forces[load.transducer.empty() ? on.name : on.name.substr(0, on.name.rfind('.'))] += force;
-      else if (!is_on_volume(load.kind) && load.kind != LoadKind::force && load.transducer.empty() &&
-               !is_unit_load(peak))
-        judge("loads." + on.name + ", its largest value", peak,
+      else if (!is_on_volume(load.kind) && load.kind != LoadKind::force && !is_unit_load(peak) &&
+               (load.transducer.empty() || (load.cosine && load.transducer == "cosine")))
+        judge("loads." + (load.cosine ? on.name.substr(0, on.name.rfind('.')) : on.name) + ", its largest value", peak,
               of(quantities::load_on_weight, scene_.fluid.density * scene_.gravity * all_.height(), "Pa",
                  "beside the weight of water as high as the mesh", {{"kPa", 1e3}, {"MPa", 1e6}}),
               list_);
@@ -291,12 +335,31 @@ std::optional<double> half_strain(const StrainLaw& law) {
   return std::nullopt;
 }
 
+/// Stiffness falls with the strain, damping rises (side: -1, 1; Seed and Idriss 1970): columns may be mixed up.
+void judge_course(const std::string& key, const std::string& what, const std::vector<std::array<double, 2>>& table,
+                  double side, NumberedWarnings& list) {
+  constexpr double scatter = 0.02;  // of measured points
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    const double before = table[i - 1][1], value = table[i][1];
+    if (side * (value - before) >= -scatter * std::max(value, before)) continue;
+    list.push_back({"implausible", value, before, "1",
+                    key + ": " + what + (side < 0. ? " rises" : " falls") + " from " + significant(before) + " to " +
+                        significant(value) + " at a strain of " + significant(table[i][0]) + ", and that of soil " +
+                        (side < 0. ? "falls" : "rises") + " with the strain",
+                    "give pairs (strain, value) of one curve"});
+    return;
+  }
+}
+
 void judge_strain_law(const std::string& at, const StrainLaw& law, NumberedWarnings& list) {
   const Quantity effective{"1", 0.1, 1.01, 0.4, 1., {{"percent", 1e-2}}, "0.65 is usual"};
   judge(at + "effective", law.effective, effective, list);
   judge(at + "modulus, the strain at half of G", half_strain(law), quantities::reference_strain, list);
-  if (!law.damping.empty())
-    judge(at + "damping, its largest ratio", law.damping.back()[1], quantities::largest_damping, list);
+  judge_course(at + "modulus", "G/G_max", law.modulus, -1., list);
+  judge_course(at + "damping", "the damping ratio", law.damping, 1., list);
+  double largest = 0.;
+  for (const auto& [strain, ratio] : law.damping) largest = std::max(largest, ratio);
+  judge(at + "damping, its largest ratio", largest, quantities::largest_damping, list);
 }
 
 /// The damping that two frequencies give where the motion is: its least between the length of the run and the faster of
@@ -306,10 +369,7 @@ void judge_damping(const std::string& at, const Region& region, const Scene& sce
   judge(at + "damping.ratio", damping.ratio, quantities::damping, list);
   const double duration = shortest_duration(scene), slow = 1. / scene.time.end;
   if (!(duration > 0.) || !std::isfinite(duration)) return;
-  const double G = region.shear_modulus    ? *region.shear_modulus
-                   : region.stress_law     ? region.stress_law->reference
-                   : region.youngs_modulus ? *region.youngs_modulus / 3.
-                                           : 0.;
+  const double G = stiffness_of(region);
   const double wave = B > 0. ? std::sqrt(G / 2e3) / (2. * B) : 0.;  // of 2 t/m3
   const double f = std::clamp(std::sqrt(damping.frequencies[0] * damping.frequencies[1]), slow,
                               std::max({slow, wave, 0.5 / duration}));
@@ -322,6 +382,8 @@ void judge_damping(const std::string& at, const Region& region, const Scene& sce
 }
 
 void judge_soil(const std::string& at, const Region& region, const Scene& scene, double B, NumberedWarnings& list) {
+  if (region.densification)
+    judge(at + "densification.threshold", region.densification->threshold, quantities::threshold_strain, list);
   if (region.damping) judge_damping(at, region, scene, B, list);
   if (const auto& law = region.stress_law) {
     judge(at + "shear_modulus.reference", law->reference, quantities::modulus, list);

@@ -46,14 +46,16 @@ Checks rest_checks(const Scene& scene, const Summary& summary) {
 
 /// Warnings no_rest, where there is no state at rest, which voids the verdict, and rest_open, where it is not known
 /// whether there is one.
-NumberedWarnings rest_warnings(const Evidence&, const Summary& summary) {
+NumberedWarnings rest_warnings(const Evidence& e, const Summary& summary) {
   const auto& safety = summary.safety;
   const double factor = safety ? safety->upper.value_or(safety->lower.value_or(0.)) : 0.;
   if (!summary.why_void.empty())
     return {{"no_rest", factor, 1., "1",
              "the ground cannot carry the weights; all results below are void: " + summary.why_void,
              "check the strengths (c' in Pa, phi' in degrees), the water level and the slopes", true}};
-  if (!safety || (safety->lower && *safety->lower >= 1.)) return {};
+  if (!safety) return {};
+  if (safety->lower && *safety->lower >= 1.)
+    return reduction_warnings(e.simulation, "limits.safety", safety->lower, e.scene.limits.safety);
   return {{"rest_open", factor, 1., "1",
            "whether the ground stands under its own weight is not known: " + safety->why_open,
            "try mesh.refine = 1, or another size of cells"}};

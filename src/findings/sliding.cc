@@ -157,7 +157,8 @@ NumberedWarnings warnings_of_end(const Evidence& e, const DesignSliding& design,
   if (design.why_not_all.empty()) return {};
   return {{"still_slides", std::abs(design.end_velocity), tolerable_velocity(friction, e.scene.gravity, design.value),
            "m/s", design.why_not_all + ", and the distance is not judged where it is within its limit",
-           "let the run end later (time.end)", !e.scene.limits.sliding || !e.scene.sliding}};
+           "let the run end after its loads (time.end); under loads that never end S grows with the run",
+           !e.scene.limits.sliding || !e.scene.sliding}};
 }
 
 /// Warning uplift_left_out: the modelled pore pressure lifts the caisson, and [sliding] counts no uplift.
@@ -172,6 +173,16 @@ NumberedWarnings warnings_of_pores(const Evidence& e, const SlidingSummary& slid
                ", and [sliding] has no uplift: force against friction and S by eq. (4) leave it out",
            "write sliding.uplift = { kind = \"computed\" }",
            sliding.history.peak_force + sliding.friction * U > sliding.history.resistance}};
+}
+
+/// Warning drag_left_out: S to design by knows no F_D.
+NumberedWarnings drag_warnings(const SlidingSummary& sliding) {
+  const DesignSliding& design = sliding.design;
+  if (sliding.drag == 0. || design.value == 0. || design.measure.rfind("sliding.sliding_history", 0) == 0) return {};
+  return {{"drag_left_out", sliding.drag, 0., "N s/m2",
+           "sliding.drag acts in eq. (4) alone, and S to design by, " + design.measure +
+               ", has none of it: a drag that brakes makes it too large",
+           "compare with sliding.sliding_history, which has that drag, or leave it out"}};
 }
 
 /// Warning bottom_not_level: friction, S and pressures are those of a level bottom.
@@ -210,6 +221,7 @@ NumberedWarnings slip_warnings(const Evidence& e, const Summary& summary) {
   const bool judged = summary.sliding.has_value();
   const DesignSliding design = judged ? summary.sliding->design : followed_to_its_end(e, *summary.contact);
   NumberedWarnings list = bottom_warnings(e);
+  if (judged) append(list, drag_warnings(*summary.sliding));
   if (!design.rests) {
     append(list, warnings_of_endless(design, judged));
     return list;
@@ -273,7 +285,8 @@ std::string demand_key(const Scene& scene, bool landward) {
   return force + (landward ? "" : "_seaward") + (is_shaken(scene) ? "_on_normal" : "");
 }
 
-/// Where no load pushes that way (1: landward), a friction that suffices for the rebound says nothing of the direction.
+/// Where loads push the other way alone (1: landward), a friction that suffices for the rebound says nothing of the
+/// direction; loads that only lift have none.
 Check friction_check(const Scene& scene, const Summary& summary, double side, const std::string& assumption) {
   const bool landward = side > 0.;
   const double demand = sliding_demand(scene, summary, side);
@@ -285,14 +298,13 @@ Check friction_check(const Scene& scene, const Summary& summary, double side, co
   const ShearResponse& r = *summary.response;
   const double that_way = landward ? r.peak_force : -r.peak_force_seaward,
                other_way = landward ? -r.peak_force_seaward : r.peak_force;
-  const bool rebounds = that_way <= no_force * other_way && (!landward || other_way > 0.);
-  if (!rebounds || summary.loads_elsewhere || is_shaken(scene) || !*check.holds) return check;
-  return not_checked(check,
-                     std::string(landward ? "no load pushes the caisson landward"
-                                          : "no trough acts: no load pushes the caisson seaward") +
-                         ", and its rebound, " + with_unit(*check.demand, "N/m") + about_push(scene, summary) +
-                         ", stays below mu W'" +
-                         (landward || summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
+  const bool rebounds = that_way <= no_force * other_way && other_way > 0.;
+  if (!rebounds || summary.loads_elsewhere || is_shaken(scene)) return check;
+  return in_doubt(check, std::string(landward ? "no load pushes the caisson landward"
+                                              : "no trough acts: no load pushes the caisson seaward") +
+                             ", and its rebound, " + with_unit(*check.demand, "N/m") + about_push(scene, summary) +
+                             ", stays below mu W'" +
+                             (landward || summary.formula_checks.empty() ? "" : "; the trough is checked by formulas"));
 }
 
 /// A distance that is no more than the way till the end of the run may be too much already, but is never little enough.

@@ -75,7 +75,36 @@ SkippedList skipped_cavitation(const Evidence& e, const Summary&) {
   return {{"cavitation of the water", monitors.pressure ? "the contact was not marched" : monitors.why_no_pressure}};
 }
 
+/// Soils without a strength, which strength reduction leaves elastic.
+std::vector<std::string> unfailing_soils(const Simulation& simulation) {
+  std::vector<std::string> names;
+  for (const auto& [name, region] : simulation.scene().regions) {
+    const bool is_soil =
+        name != caisson_name && (region.kind == RegionKind::porous || region.kind == RegionKind::solid);
+    if (is_soil && !region.strength) names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
+
+NumberedWarnings reduction_warnings(const Simulation& simulation, const std::string& key,
+                                    const std::optional<double>& factor, const std::optional<double>& limit) {
+  constexpr double coarse = 1.23;  // largest excess over a finer mesh or a circle that was seen: docs/yielding.md
+  if (!factor || !limit || *factor < *limit) return {};
+  NumberedWarnings list;
+  if (const std::vector<std::string> soils = unfailing_soils(simulation); !soils.empty())
+    list.push_back({"strength_missing", *factor, *limit, "1",
+                    key + " holds with a factor of ground in which " + join(soils) +
+                        ", without a strength, cannot fail: ground that fails there may have less",
+                    "give it a table strength; where it is rock, nothing is wrong"});
+  if (*factor < coarse * *limit)
+    list.push_back({"coarse_factor", *factor, coarse * *limit, "1",
+                    key + " holds by " + percent(*factor / *limit - 1.) +
+                        ", and factors by strength reduction of coarse cells were up to 23 % too large",
+                    "halve the cells until the factor stays (mesh.refine = 1)"});
+  return list;
+}
 
 Finding cavitation_finding() {
   Finding f;

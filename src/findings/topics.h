@@ -51,6 +51,11 @@ std::string about_uplift(const Scene& scene);
 /// rest.
 bool is_shaken(const Scene& scene);
 
+/// Of a factor by strength reduction that is at least its limit, 'limits.KEY'. Warnings strength_missing: soil without
+/// a strength cannot fail in it; coarse_factor: it exceeds the limit by no more than what coarse cells may add.
+NumberedWarnings reduction_warnings(const Simulation& simulation, const std::string& key,
+                                    const std::optional<double>& factor, const std::optional<double>& limit);
+
 /// Warnings slip_line: the largest strain of a cell is several times that of the cells beside it, as where soil slides
 /// along a line as narrow as the cells; large_strain: strains are no longer small.
 NumberedWarnings yielding_warnings(const Summary& summary);

@@ -175,13 +175,13 @@ SkippedList skipped_estimate(const Simulation& simulation, bool) {
 /// A check that holds where the motion ends, but did not at `worst` in the last fifth of the run, has judged a moment
 /// of a swing; one that would not hold if it `moved` as far again, a moment of a creep.
 Check at_rest(const Check& check, double worst, double moved) {
-  if (!check.holds || !*check.holds) return check;
+  if (!check.capacity || !check.demand) return check;
   if (worst > *check.capacity)
-    return not_checked(check, "the caisson has not come to rest: in the last fifth of the run it was at " +
-                                  with_unit(worst, check.unit) + ", beyond the limit");
+    return in_doubt(check, "the caisson has not come to rest: in the last fifth of the run it was at " +
+                               with_unit(worst, check.unit) + ", beyond the limit");
   if (*check.demand + moved > *check.capacity)
-    return not_checked(check, "the caisson has not come to rest: it moved by " + with_unit(moved, check.unit) +
-                                  " in the last fifth of the run, and as much again passes the limit");
+    return in_doubt(check, "the caisson has not come to rest: it moved by " + with_unit(moved, check.unit) +
+                               " in the last fifth of the run, and as much again passes the limit");
   return check;
 }
 

@@ -114,6 +114,8 @@ const Quantity porosity{"1", 1e-3, 0.9, 0.25, 0.65, {{"void ratio", 0., pores_of
 // Soils at 1 % of shear strain come to 0.25 to 0.3: Seed and Idriss (1970); Vucetic and Dobry (1991).
 const Quantity damping{"1", 1e-5, 0.35, 5e-3, 0.3, percents, "soils have 0.01 to 0.25; 5 percent are 0.05"};
 const Quantity reference_strain{"1", 1e-6, 0.02, 1e-5, 0.01, percents, "sand has 2e-4 to 1e-3"};
+// Volumetric threshold of sands 1e-4 to 2e-4, of plastic soils up to 1e-3: Vucetic (1994).
+const Quantity threshold_strain{"1", 1e-7, 2e-3, 1e-6, 1e-3, percents, "sand has about 1e-4"};
 const Quantity smallest_damping{"1", 1e-5, 0.1, 1e-3, 0.06, percents, "soils have 0.005 to 0.05"};
 const Quantity largest_damping{"1", 1e-5, 0.45, 0.05, 0.35, percents, "soils have 0.15 to 0.3"};
 const Quantity tortuosity{"1", 1., 10., 1., 3., {}};

@@ -48,11 +48,11 @@ void judge(const std::string& key, const std::optional<double>& value, const Qua
 namespace quantities {
 extern const Quantity modulus, soil_modulus, density, grain_density, water_density, water_modulus, grain_modulus,
     viscosity, atmosphere, stress_scale, conductivity, darcy_conductivity, permeability, porosity_of_soil,
-    porosity_of_coarse, porosity, damping, reference_strain, smallest_damping, largest_damping, tortuosity, friction,
-    pressure_factor, shear_ratio, caisson_modulus, cyclic_resistance, rest_coefficient, slope, friction_angle, cohesion,
-    surcharge, sliding_limit, settlement_limit, tilt_limit, safety_limit, strength_limit, ratio_limit, pressure_limit,
-    load_duration, frequency, wave_height, wave_period, wave_angle, depth, bed_slope, storm_duration, level, stiffness,
-    load_on_weight, gravity, velocity;
+    porosity_of_coarse, porosity, damping, reference_strain, threshold_strain, smallest_damping, largest_damping,
+    tortuosity, friction, pressure_factor, shear_ratio, caisson_modulus, cyclic_resistance, rest_coefficient, slope,
+    friction_angle, cohesion, surcharge, sliding_limit, settlement_limit, tilt_limit, safety_limit, strength_limit,
+    ratio_limit, pressure_limit, load_duration, frequency, wave_height, wave_period, wave_angle, depth, bed_slope,
+    storm_duration, level, stiffness, load_on_weight, gravity, velocity;
 }  // namespace quantities
 
 }  // namespace upbead

@@ -65,6 +65,10 @@ Check not_checked(Check check, const std::string& why) {
   return check;
 }
 
+Check in_doubt(const Check& check, const std::string& why) {
+  return why.empty() || !check.holds || !*check.holds ? check : not_checked(check, why);
+}
+
 namespace {
 
 /// In which order checks are bad: those that fail, hold, have no limit, were not checked.

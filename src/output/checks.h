@@ -18,6 +18,10 @@ Check at_least_as(Check check, const std::optional<double>& capacity);
 /// The same without demand and result: it was not checked.
 Check not_checked(Check check, const std::string& why);
 
+/// A check that holds, but not for sure: it was not checked. One that fails, or has no limit, stays; as all do where
+/// there is no reason.
+Check in_doubt(const Check& check, const std::string& why);
+
 /// Whether `a` is the worse of two: it fails, has no bound, has less margin, or, without limits, demands more.
 bool is_worse(const Check& a, const Check& b);
 

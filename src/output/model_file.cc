@@ -146,6 +146,8 @@ std::optional<ModelBase> read_base(ModelParts& parts) {
   return std::nullopt;
 }
 
+const char* const path_of_moments = "/loads/moment";
+
 void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
   std::vector<std::string> name, unit;
   std::vector<double> peak, duration;
@@ -161,6 +163,12 @@ void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
   image.numbers("/loads/peak", {peak.size()}, peak.data(), {"that of the load", "largest |f_k| of the case"});
   image.numbers("/loads/duration", {duration.size()}, duration.data(),
                 {"s", "shortest time in which the load rises and falls in the case"});
+  if (std::any_of(loads.begin(), loads.end(), [](const ModelLoad& load) { return !load.moment; })) return;
+  std::vector<double> moment;
+  for (const ModelLoad& load : loads) moment.push_back(*load.moment);
+  image.numbers(path_of_moments, {moment.size()}, moment.data(),
+                {"that of the load times m",
+                 "moment of one unit on the caisson about its bottom's middle, overturning landward positive"});
 }
 
 void read_loads(ModelParts& parts, ReducedModelFile& model) {
@@ -174,6 +182,10 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
     for (const double value : *values)
       if (value < 0.) parts.wrong(std::string(path) + " holds " + significant(value));
   for (std::size_t n = 0; n < k; ++n) model.loads.push_back({names[n], units[n], peaks[n], durations[n]});
+  if (parts.length(path_of_moments) > 0) {
+    const std::vector<double> moments = parts.numbers(path_of_moments, {k});
+    for (std::size_t n = 0; n < k; ++n) model.loads[n].moment = moments[n];
+  }
   model.modes.load_name = names;
 }
 

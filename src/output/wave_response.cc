@@ -26,7 +26,7 @@ struct Answers {
   std::vector<NamedWave> waves;
   RespondTiming timing;
   NumberedWarnings warnings;
-  std::string why_void;
+  std::string why_void, not_judged;
 };
 
 OutputSchema<CoupledWave> coupled_wave_outputs() {
@@ -156,6 +156,9 @@ const OutputSchema<Answers>& answers_outputs() {
                                        "[what may be wrong](warnings.md#reduced-models) though nothing failed")
                                  .reason("why_void", &A::why_void,
                                          "the warnings under which no verdict may be drawn; null where there is none")
+                                 .reason("not_judged", &A::not_judged,
+                                         "what a run judges beside slip circles and no number of a wave tells; null "
+                                         "where the model has no circles")
                                  .object("timing", &A::timing, timing, "wall times")
                                  .key("histories_per_second", per_second, "1/s", "waves over `timing.respond`")
                                  .versions();
@@ -282,7 +285,11 @@ std::string soil_line(const std::optional<std::map<std::string, double>>& soil, 
 
 Json to_json(const AnsweredModel& of, const std::vector<WaveResponses>& files, const RespondTiming& timing,
              const NumberedWarnings& warnings) {
-  Answers answers{&of.model, of.path, of.soil, {}, timing, warnings, verdict_of({}, warnings).why_void};
+  Answers answers{&of.model, of.path, of.soil, {}, timing, warnings, verdict_of({}, warnings).why_void, {}};
+  if (of.model.circles)
+    answers.not_judged =
+        "slip on a plane below the caisson, strength at the peak, momentary liquefaction, what cycles leave: 'upbead "
+        "run' judges them";
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w) answers.waves.push_back({file.wave_name(w), &file.waves[w]});
   return answers_outputs().to_json(answers);

@@ -303,8 +303,12 @@ NumberedWarnings uplift_warnings(const ReducedModelFile& model) {
 }
 
 NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
-  NumberedWarnings list = model.warnings;
-  append(list, uplift_warnings(model));
+  NumberedWarnings list = model.warnings, of_uplift = uplift_warnings(model);
+  const std::vector<AnsweredWave> waves = all_waves(files);
+  const bool judged =
+      std::any_of(waves.begin(), waves.end(), [](const AnsweredWave& row) { return !!row.wave->sliding; });
+  for (NumberedWarning& warning : of_uplift) warning.voids = judged;  // F_T alone needs no uplift
+  append(list, of_uplift);
   for (const NumberedWarnings& more :
        {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), contact_warnings(files),
         solved_warnings(files), pore_warnings(files), soil_warnings(model, files), endless_warnings(files),

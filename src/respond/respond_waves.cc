@@ -95,6 +95,14 @@ class AllWaveChecks {
   std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
+/// Upward on the caisson per unit of each load; zero in models without that reading.
+Eigen::RowVectorXd vertical_forces(const ModalModel& modes) {
+  for (std::size_t r = 0; r < modes.reading_label.size(); ++r)
+    if (modes.reading_label[r].name == reading::force_vertical)
+      return modes.feedthrough.row(static_cast<Eigen::Index>(r));
+  return Eigen::RowVectorXd::Zero(modes.n_loads());
+}
+
 /// The base under the W' that is asked for, which stands as far from the middle as that of the model's case; what still
 /// water at two levels adds stays (findings/effective_base.cc).
 ModelBase base_with(const ReducedModelFile& model, const std::optional<ModelSliding>& sliding) {
@@ -108,11 +116,35 @@ ModelBase base_with(const ReducedModelFile& model, const std::optional<ModelSlid
   return base;
 }
 
+/// What loads that act up or down alone put on the caisson per unit of each load, as in findings/effective_base.cc.
+struct UprightLoads {
+  Eigen::RowVectorXd down, moment;  ///< zero for all other loads
+  bool known = true;                ///< false: the file is of before their moments
+  bool any() const { return !down.isZero(0.); }
+};
+
+UprightLoads upright_loads(const ReducedModelFile& model) {
+  constexpr double upright = 1e-9;  // of a force: what its other part may be
+  const Eigen::Index n = model.modes.n_loads();
+  const Eigen::RowVectorXd up = vertical_forces(model.modes),
+                           P = model.modes.feedthrough.row(model.modes.index(reading::force));
+  UprightLoads found{Eigen::RowVectorXd::Zero(n), Eigen::RowVectorXd::Zero(n)};
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (up[k] == 0. || !(std::abs(P[k]) <= upright * std::abs(up[k]))) continue;
+    const std::optional<double>& moment = model.loads[static_cast<std::size_t>(k)].moment;
+    found.known = found.known && moment;
+    found.down[k] = -up[k];
+    found.moment[k] = moment.value_or(0.);
+  }
+  return found;
+}
+
 /// Effective forces and pressures on the base, at the times of a grid.
 class BaseAnswer {
  public:
   BaseAnswer(const ReducedModelFile& model, const std::optional<ModelSliding>& sliding, const WaveGrid& grid)
       : base_(base_with(model, sliding)),
+        upright_(upright_loads(model)),
         normal_(one_reading(model.modes, reading::normal_force), grid),
         moment_(one_reading(model.modes, reading::base_moment), grid),
         uplift_(one_reading(model.modes, reading::uplift), grid),
@@ -131,12 +163,19 @@ class BaseAnswer {
     }
     const auto list = [](const Eigen::RowVectorXd& row) { return std::vector<double>(row.begin(), row.end()); };
     const Eigen::RowVectorXd force = (N - U).array() + base_.weight, moment = (M + M_U).array() + base_.weight_moment;
-    return {base_.width, base_.weight, base_.weight_moment, base_.push,  base_.push_moment,
-            list(U),     list(M_U),    list(force),         list(moment)};
+    EffectiveBase base{base_.width, base_.weight, base_.weight_moment, base_.push,  base_.push_moment,
+                       list(U),     list(M_U),    list(force),         list(moment)};
+    if (!upright_.any()) return base;
+    base.vertical = list(upright_.down * loads);
+    base.vertical_moment = list(upright_.moment * loads);
+    return base;
   }
+
+  bool knows_upright_loads() const { return upright_.known; }
 
  private:
   ModelBase base_;
+  UprightLoads upright_;
   WaveReading normal_, moment_, uplift_, uplift_moment_;
 };
 
@@ -220,6 +259,7 @@ class FileWork {
         file_(file),
         options_(common.options),
         force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
+        lift_(vertical_forces(model_.modes)),
         longest_step_(longest_step(common, file)),
         end_(options_.end.value_or(whole_answer(model_, file))),
         grid_(make_wave_grid(file.time, longest_step_, end_)),
@@ -298,7 +338,7 @@ class FileWork {
     }
     const Eigen::Index last = grid_.last ? static_cast<Eigen::Index>(*grid_.last) : loads.cols() - 1;
     const double force = (force_ * loads.col(last)).value() + bottom.push,
-                 normal = bottom.submerged_weight - (U.size() > 0 ? U[last] : 0.);
+                 normal = bottom.submerged_weight - (U.size() > 0 ? U[last] : 0.) - (lift_ * loads.col(last)).value();
     const bool slid = *out.sliding != 0. || (out.coupled && out.coupled->largest != 0.);
     out.slides_on = slid && !(normal > 0. && std::abs(force) <= bottom.friction * normal);
   }
@@ -325,7 +365,7 @@ class FileWork {
     set_left_out(base, F, out);
     out.peak_heel_pressure = worst.peak_heel_pressure;
     out.peak_toe_pressure = worst.peak_toe_pressure;
-    out.least_overturning_margin = worst.least_overturning_margin;
+    if (base_->knows_upright_loads()) out.least_overturning_margin = worst.least_overturning_margin;
     out.least_sliding_factor = least_sliding_factor(options_.sliding->friction, base, F, 1.);
     out.least_sliding_factor_seaward = least_sliding_factor(options_.sliding->friction, base, F, -1.);
   }
@@ -334,7 +374,7 @@ class FileWork {
   const ModalModel& shear_;
   const WaveFile& file_;
   const RespondOptions& options_;
-  Eigen::RowVectorXd force_;  ///< P per unit of each load
+  Eigen::RowVectorXd force_, lift_;  ///< P, and the force upward, per unit of each load
   double longest_step_, end_;
   WaveGrid grid_;
   std::vector<double> check_time_;  ///< equally spaced, and over the whole wave even where the response ends before it

@@ -359,6 +359,19 @@ class Expected(ProgramTest):
         low, high = self.expected("surf.toml")["expected"]["states"]
         self.assertGreater(high["highest"], low["highest"] + 0.8)
 
+    def test_levels_that_no_sea_has_are_told(self):
+        self.write_surf_zone()
+        (self.folder / "states.csv").write_text("significant_height,period,waves,water_level\n7.5,12,3000,0\n7.5,12,3000,2\n")
+        for levels, told in (("{ high = 1.5 }", []), ("{ high = 2.5, low = -0.5 }", ["levels_not_used"])):
+            found = self.expected("surf.toml", "--set", f"levels={levels}")["warnings"]
+            self.assertEqual([w["name"] for w in found if w["name"] == "levels_not_used"], told)
+
+    def test_loads_that_no_wave_has_are_told(self):
+        write_oscillator(self.folder / "model.h5", loads=("impact", "weight"), mass=5.933088e6 / 9.81)
+        found = self.expected(PROTOTYPE, "--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact",
+                              "--set", "life.simulated_lives=2", "--set", "life.years=1")
+        self.assertIn("weight", next(w["what"] for w in found["warnings"] if w["name"] == "load_left_out"))
+
     def test_waves_of_storms_break(self):
         self.write_surf_zone()
         text = (self.folder / "surf.toml").read_text()

@@ -72,6 +72,20 @@ class Reduced(ProgramTest):
         time = np.linspace(0, 1, 401)
         self.assertLess(abs(self.shear("reduced", time) - self.shear("marched", time)).max(), 3e-3 * peak)
 
+    def test_loads_that_act_up_or_down_count_with_the_weight_in_both(self):
+        """A crown that is set on the caisson, beside its middle, and one that lifts: two ways, one margin."""
+        for way in (-1.0, 1.0):
+            load = f'[loads.crown]\nregion = "caisson"\nat = [4, 20]\nkind = "force"\ndirection = [0.0, {way}]\n' \
+                   'pulse = { shape = "step", peak = 4e5, rise = 0.05 }\n'
+            text = CASE.read_text().replace('history = "', f'history = "{CASES}/').replace("[mesh.parameters]", "[mesh.parameters]\ncells = 0.5\n")
+            (self.folder / "crown.toml").write_text(text + load)
+            run = json.loads(upbead("run", "crown.toml", "--json", cwd=self.folder).stdout)
+            wave, = json.loads(upbead("respond", "crown.toml", "--json", cwd=self.folder).stdout)["waves"]
+            margin = run["base"]["least_overturning_margin"]
+            self.assertAlmostEqual(wave["least_overturning_margin"] / margin, 1, delta=5e-3)
+            for key in ("peak_heel_pressure", "peak_toe_pressure"):
+                self.assertAlmostEqual(wave[key] / run["base"][key], 1, delta=5e-3)
+
     def test_run_marches_where_a_reduced_model_does_not_do(self):
         for reason, key in (("stop early", "time.stop_at_energy=0.01"), ("given in the case", "time.scheme=sdirk4")):
             done = upbead("run", CASE, *COARSE, "--details", "--set", key, cwd=self.folder)

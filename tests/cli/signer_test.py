@@ -36,6 +36,9 @@ DOUBTS = (
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e8] }", None),
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1, 1] }", "base_free"),
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", dashpot = [1, 1] }", "base_free"),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e2] }", "implausible"),
+    ("boundaries.left={ displacement = \"free\", pressure = \"sealed\", dashpot = [5e5, 2e5], spring = [1e6, 1e6] }", None),
+    ("boundaries.left={ displacement = \"free\", pressure = \"sealed\", dashpot = [500, 200], spring = [1e6, 1e6] }", "implausible"),
     ("boundaries.mound_surface.displacement=fixed", "ground_held"),
     ("time.end=0.16", "answer_cut"),
     ("loads.impulse.pulse={ shape = \"triangle\", peak = 1e6, duration = 0.15, start = 0.44 }", "answer_cut"),
@@ -52,7 +55,10 @@ DOUBTS = (
     ("sliding.uplift={ kind = \"prescribed\", peak = 8e5, lag = 5 }", "load_zero"),
 )
 STRAIN = "regions.seabed.strain={ reference_strain = 1e-3%s }"
-CURVES = ((", effective = 0.65", None), (", effective = 65", "implausible"))
+CURVES = ((", effective = 0.65", None), (", effective = 65", "implausible"),
+          (", modulus = [[1e-6, 1], [1e-4, 0.8], [1e-3, 0.4]]", None), (", modulus = [[1e-6, 1], [1e-4, 0.4], [1e-3, 0.8]]", "implausible"),
+          (", damping = [[1e-6, 0.01], [1e-4, 0.05], [1e-3, 0.2]]", None), (", damping = [[1e-6, 0.01], [1e-4, 0.2], [1e-3, 0.05]]", "implausible"))
+TRAIN = 'loads.swell={ boundary = "bed", kind = "train", train = { amplitude = %g, period = 1, length = 40, course = "stands" } }'
 
 
 class Signer(ProgramTest):
@@ -120,6 +126,33 @@ class Signer(ProgramTest):
         for part, key in (("cycles", "largest_ratio"), ("strength", "largest")):
             values = [summary[part][0][key] if isinstance(summary[part], list) else summary[part][key] for summary in found]
             self.assertAlmostEqual(values[1] / values[0], 1, 6)
+    def test_a_train_in_kilopascals_is_told(self):
+        for amplitude, told in ((2e4, 0), (20, 1)):
+            found = [w for w in self.ask("explain", TRAIN % amplitude)["warnings"] if w["name"] == "implausible" and "loads.swell" in w["what"]]
+            self.assertEqual(len(found), told, found)
+
+    def test_a_drag_that_the_distance_does_not_have_is_told(self):
+        for drag, told in ((0, False), (1e5, True)):
+            found = self.ask("run", f"sliding.drag={drag}", "loads.impulse.factor=6")
+            self.assertGreater(found["sliding"]["design"]["value"], 0)
+            self.assertEqual("drag_left_out" in {warning["name"] for warning in found["warnings"]}, told)
+
+    def test_loads_that_only_lift_have_no_rebound(self):
+        lift = 'region = "caisson", at = [0, 6], kind = "force", direction = [0, 1], pulse = { shape = "step", peak = 1e6, rise = 0.1 }'
+        checks = self.ask("run", "loads.impulse.factor=0", f"loads.lift={{ {lift} }}")["checks"]
+        for check in checks:
+            if "force against friction" in check["name"]:
+                self.assertIsNone(check["why_not"])
+                self.assertGreaterEqual(check["demand"], 0.99 * 0.6 * 1e6)
+
+    def test_strength_reduction_tells_what_cannot_fail_and_how_much_coarse_cells_add(self):
+        strong = ["initial.water_level=15", "regions.mound.strength={ friction_angle = 40, cohesion = 5e3 }"]
+        factor = self.ask("run", *strong, "limits.safety=1.01")["safety"]["lower"]
+        for limit, more, told in ((factor / 1.5, [], {"strength_missing"}), (factor / 1.1, [], {"strength_missing", "coarse_factor"}),
+                                  (2 * factor, [], set()),
+                                  (1.01, ["regions.seabed.strength={ friction_angle = 35, cohesion = 5e3 }"], set())):
+            names = {warning["name"] for warning in self.ask("run", *strong, *more, f"limits.safety={limit}")["warnings"]}
+            self.assertEqual(names & {"strength_missing", "coarse_factor"}, told)
 
     def test_a_lid_on_the_sea_bed_is_told(self):
         sealed = "boundaries.bed.pressure=sealed"

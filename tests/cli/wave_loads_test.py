@@ -38,6 +38,15 @@ class WaveLoads(ProgramTest):
         del wave["course"]
         self.assertEqual(wave, design["waves"]["storm"])
 
+    def test_a_berm_that_is_not_the_meshed_one_is_told(self):
+        for case in (CASE, CASE.with_name("standing.toml"), CASES / "designer/section.toml"):
+            warnings = json.loads(self.ask("explain", case, "--json"))["warnings"]
+            self.assertNotIn("berm_differs", {warning["name"] for warning in warnings}, case)
+        for change, meshed in (("section.berm_width=12", 7), ("section.berm_depth=12", 9)):
+            warnings = json.loads(self.ask("explain", CASE, "--json", *COARSE, "--set", change))["warnings"]
+            (told,) = (warning for warning in warnings if warning["name"] == "berm_differs")
+            self.assertAlmostEqual(told["limit"], meshed, 9)
+
     def test_a_weight_in_water_without_sliding_is_that_of_the_scene(self):
         (self.folder / "bare.toml").write_text(re.sub(r"\[sliding\].*?(?=\[regions)", "", CASE.read_text(), flags=re.S))
         told = self.ask("explain", "bare.toml", *COARSE, "--set", "section.submerged_weight=3.5e6").stderr

@@ -107,6 +107,16 @@ TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+TEST(ModelFile, KeepsMomentsOfLoadsWhereAllAreKnown) {
+  ReducedModelFile made = oscillator();
+  EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).loads[0].moment);
+  made.loads[0].moment = 8.;
+  made.loads[1].moment = -3.5;
+  const ReducedModelFile read = read_model_file(TemporaryFile(model_file(made)).path());
+  EXPECT_EQ(read.loads[0].moment, 8.);
+  EXPECT_EQ(read.loads[1].moment, -3.5);
+}
+
 TEST(ModelFile, KeepsStillWaterAtTwoLevelsInAFormatOfItsOwn) {
   ReducedModelFile made = oscillator();
   made.sliding = ModelSliding{0.6, 4.3e6, 1e4, "held", 0.25, 0.02};

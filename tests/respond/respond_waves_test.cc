@@ -173,10 +173,16 @@ TEST(RespondWaves, TellsOfAnUpliftThatItLeavesOut) {
   ReducedModelFile model = oscillator();
   for (const bool is_record : {false, true}) {
     model.sliding = ModelSliding{0.6, 1e6, 0., is_record ? "history" : "in_phase"};
-    int told = 0;
-    for (const NumberedWarning& warning : warnings_of_answers(model, respond_to_waves(model, {triangle(0.0005)}, {})))
-      told += warning.name == "uplift_left_out";
-    EXPECT_EQ(told, is_record);
+    for (const bool judged : {false, true}) {  // without that uplift S and factors are no result, F_T is
+      RespondOptions options;
+      if (judged) options.sliding = ModelSliding{0.6, 1e6};
+      int told = 0, voids = 0;
+      for (const NumberedWarning& warning :
+           warnings_of_answers(model, respond_to_waves(model, {triangle(0.0005)}, options)))
+        if (warning.name == "uplift_left_out") ++told, voids += warning.voids;
+      EXPECT_EQ(told, is_record);
+      EXPECT_EQ(voids, is_record && judged);
+    }
   }
 }
 

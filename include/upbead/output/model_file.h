@@ -24,6 +24,9 @@ struct ModelLoad {
   std::string unit;      ///< of f_k: N/m or Pa
   double peak = 0.;      ///< largest |f_k| of the case
   double duration = 0.;  ///< shortest time in which it rises and falls in the case (s)
+  /// Of one unit, on the caisson about its bottom's middle, overturning landward positive (unit of f_k times m); none
+  /// in files of before it.
+  std::optional<double> moment{};
 };
 
 /// The table [sliding] of the case.

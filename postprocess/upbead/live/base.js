@@ -20,13 +20,15 @@ export function edgesOf({N, M, width}) {
 // About the edge landward (side 1) or seaward (-1): moments that hold over moments that overturn; null where nothing
 // overturns that way.
 function overturningMargin(base, n, side) {
-  const arm = 0.5 * base.width, holds = (base.weight - base.U[n]) * arm - side * (base.weightMoment + base.uplifting[n]);
+  const arm = 0.5 * base.width, {down, turning} = base.upright;
+  const holds = (base.weight - base.U[n] + down[n]) * arm - side * (base.weightMoment + base.uplifting[n] + turning[n]);
   if (holds <= 0) return 0;  // it is lifted, whatever turns it
   const overturns = holds - (base.N[n] * arm - side * base.M[n]);
   return overturns > 1e-9 * base.weight * arm ? holds / overturns : null;
 }
 
-// base: {width, weight, weightMoment, U, uplifting: M_U, N, M}. A peak is null where the resultant leaves the base there,
+// base: {width, weight, weightMoment, U, uplifting: M_U, N, M, upright: {down, turning}}; upright: of loads that act up or
+// down alone, their force and moment, null where the moment is not known, and neither is the margin. A peak is null where the resultant leaves the base there,
 // the margin where nothing overturns. `lifts`: index of the first time at which an edge lifts, as the resultant is out of
 // the middle third, or null; -1 is the seaward edge, 1 the landward one, 0 the whole base.
 export function baseExtremes(base) {
@@ -40,7 +42,7 @@ export function baseExtremes(base) {
     if (worst.heel !== null) worst.heel = Math.max(worst.heel, heel);
     if (worst.toe !== null) worst.toe = Math.max(worst.toe, toe);
     worst.leastN = Math.min(worst.leastN, base.N[n]);
-    for (const side of [1, -1]) {
+    for (const side of base.upright ? [1, -1] : []) {
       const margin = overturningMargin(base, n, side);
       if (margin !== null && (worst.margin === null || margin < worst.margin)) worst.margin = margin;
     }

@@ -37,7 +37,7 @@ def model_data(path):
             "mass": float(case["caisson_mass"]),
             "end": float(case["end"]),
             "sliding": sliding_of(file),
-            "base": base_of(file),
+            "base": base_of(file, model),
             "slips": "slip" in file,
             "limits": {key: value for key, value in case_in(file).get("limits", {}).items() if isinstance(value, (int, float))},
             "wave": case_wave(case_in(file), names),
@@ -64,11 +64,23 @@ def sliding_of(file):
     return {"uplift": uplift, **{key: float(given[name]) for key, name in numbers.items()}}
 
 
-def base_of(file):
+def base_of(file, model):
     """The forces on the bottom at rest, or None."""
     if "base" not in file:
         return None
-    return dict(zip(("width", "weight", "weight_moment", "uplift_moment_per_force"), file["base"][()].tolist()))
+    return {**dict(zip(("width", "weight", "weight_moment", "uplift_moment_per_force"), file["base"][()].tolist())), "upright": upright_of(file, model)}
+
+
+def upright_of(file, model):
+    """[downward force, moment] on the caisson per unit of each load that acts up or down alone, zeros of others, as
+    src/respond/respond_waves.cc has it; None where there is one whose moment the file does not tell."""
+    row = lambda name: model.feedthrough[model.readings.index(name)] if name in model.readings else np.zeros(len(model.loads))
+    up, along = row("force_vertical"), row("force")
+    upright = (up != 0) & (np.abs(along) <= 1e-9 * np.abs(up))
+    if upright.any() and "loads/moment" not in file:
+        return None
+    moment = file["loads/moment"][()] if "loads/moment" in file else np.zeros(len(up))
+    return np.column_stack([np.where(upright, -up, 0.0), np.where(upright, moment, 0.0)]).tolist()
 
 
 def circles_of(file):

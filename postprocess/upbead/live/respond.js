@@ -93,7 +93,7 @@ export function histories(model, wave, slides, mostTimes = Infinity) {
 
 // N', M' and U on the base under that W', which stands where the case's does; prescribed: an uplift besides the computed
 // one, or null.
-function onBase(model, {ofBase, P}, weight, prescribed) {
+function onBase(model, {ofBase, P, loads}, weight, prescribed) {
   const {width, uplift_moment_per_force} = model.base;
   const arm = (pushesSeawardAlone(P) ? -1 : 1) * Math.abs(uplift_moment_per_force);
   const weightMoment = model.base.weight_moment * (weight / model.base.weight);
@@ -101,7 +101,17 @@ function onBase(model, {ofBase, P}, weight, prescribed) {
   const uplifting = ofBase.uplift_moment.map((value, n) => value + (prescribed ? arm * prescribed[n] : 0));
   const N = ofBase.normal_force.map((value, n) => value - U[n] + weight);
   const M = ofBase.base_moment.map((value, n) => value + uplifting[n] + weightMoment);
-  return {width, weight, weightMoment, U, uplifting, N, M};
+  return {width, weight, weightMoment, U, uplifting, N, M, upright: uprightOf(model.base.upright, loads, P.length)};
+}
+
+// {down, turning} of all times under loads that act up or down alone, as src/respond/respond_waves.cc has it.
+function uprightOf(upright, loads, n) {
+  if (!upright) return null;
+  const down = new Float64Array(n), turning = new Float64Array(n);
+  upright.forEach(([force, moment], k) => {
+    if (force !== 0) for (let i = 0; i < n; ++i) [down[i], turning[i]] = [down[i] + force * loads[k][i], turning[i] + moment * loads[k][i]];
+  });
+  return {down, turning};
 }
 
 // All but how wrong it is. sliding: {friction, weight, drag, uplift, uplift_per_force, lag}, or null where S is not asked.

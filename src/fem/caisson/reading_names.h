@@ -6,6 +6,7 @@ namespace upbead {
 /// Names of readings that other code looks up.
 namespace reading {
 inline const char* const force = "force";                              ///< P, horizontal load on the caisson
+inline const char* const force_vertical = "force_vertical";            ///< vertical load on the caisson, upward
 inline const char* const water_force = "water_force";                  ///< P_water, of the modelled water
 inline const char* const water_force_front = "water_force_front";      ///< its part on faces that look seaward
 inline const char* const shear_force = "shear_force";                  ///< F_T by route (ii), the ground's reaction

@@ -67,7 +67,7 @@ void add_loads(std::vector<Reading>& list, const CaissonForces& forces, const Sc
                   {},
                   {},
                   feedthrough(loads, &LoadOnCaisson::force_x, 1.)});
-  list.push_back({"force_vertical",
+  list.push_back({reading::force_vertical,
                   "N/m",
                   "vertical load on the caisson, upward",
                   {},
