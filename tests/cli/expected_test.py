@@ -370,7 +370,7 @@ class Expected(ProgramTest):
         write_oscillator(self.folder / "model.h5", loads=("impact", "weight"), mass=5.933088e6 / 9.81)
         found = self.expected(PROTOTYPE, "--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact",
                               "--set", "life.simulated_lives=2", "--set", "life.years=1")
-        self.assertIn("weight", next(w["what"] for w in found["warnings"] if w["name"] == "load_left_out"))
+        self.assertIn("weight", next(w["text"] for w in found["warnings"] if w["name"] == "load_left_out"))
 
     def test_waves_of_storms_break(self):
         self.write_surf_zone()

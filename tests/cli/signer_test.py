@@ -126,9 +126,15 @@ class Signer(ProgramTest):
         for part, key in (("cycles", "largest_ratio"), ("strength", "largest")):
             values = [summary[part][0][key] if isinstance(summary[part], list) else summary[part][key] for summary in found]
             self.assertAlmostEqual(values[1] / values[0], 1, 6)
+    def test_a_threshold_in_percent_is_told(self):
+        yields = ["regions.seabed.law=mohr_coulomb", "regions.seabed.strength={ friction_angle = 35, cohesion = 5e3 }", "initial.water_level=15"]
+        for threshold, told in ((1e-4, False), (0.01, True)):
+            names = self.names(*yields, f"regions.seabed.densification={{ relative_density = 0.5, threshold = {threshold} }}")
+            self.assertEqual("implausible" in names, told)
+
     def test_a_train_in_kilopascals_is_told(self):
         for amplitude, told in ((2e4, 0), (20, 1)):
-            found = [w for w in self.ask("explain", TRAIN % amplitude)["warnings"] if w["name"] == "implausible" and "loads.swell" in w["what"]]
+            found = [w for w in self.ask("explain", TRAIN % amplitude)["warnings"] if w["name"] == "implausible" and "loads.swell" in w["text"]]
             self.assertEqual(len(found), told, found)
 
     def test_a_drag_that_the_distance_does_not_have_is_told(self):

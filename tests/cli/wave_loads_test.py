@@ -40,10 +40,10 @@ class WaveLoads(ProgramTest):
 
     def test_a_berm_that_is_not_the_meshed_one_is_told(self):
         for case in (CASE, CASE.with_name("standing.toml"), CASES / "designer/section.toml"):
-            warnings = json.loads(self.ask("explain", case, "--json"))["warnings"]
+            warnings = json.loads(self.ask("explain", case, "--json").stdout)["warnings"]
             self.assertNotIn("berm_differs", {warning["name"] for warning in warnings}, case)
         for change, meshed in (("section.berm_width=12", 7), ("section.berm_depth=12", 9)):
-            warnings = json.loads(self.ask("explain", CASE, "--json", *COARSE, "--set", change))["warnings"]
+            warnings = json.loads(self.ask("explain", CASE, "--json", *COARSE, "--set", change).stdout)["warnings"]
             (told,) = (warning for warning in warnings if warning["name"] == "berm_differs")
             self.assertAlmostEqual(told["limit"], meshed, 9)
 
