@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "base/text.h"
 
@@ -160,8 +161,10 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
                                         " checks with a limit fail; the worst: ";
   if (verdict.governing) verdict.text += text_of(*verdict.governing);
   if (verdict.unjudged > 0) verdict.text += "; given limits that were not checked: " + unjudged;
+  std::set<std::string> told;
   for (const NumberedWarning& warning : warnings)
-    if (warning.voids) verdict.why_void += (verdict.why_void.empty() ? "" : "; ") + warning.name;
+    if (warning.voids && told.insert(warning.name).second)
+      verdict.why_void += (verdict.why_void.empty() ? "" : "; ") + warning.name;
   if (!verdict.why_void.empty()) {
     verdict.holds.reset();
     verdict.text = "VOID, as the warnings say: " + verdict.why_void + ". Without them: " + verdict.text;

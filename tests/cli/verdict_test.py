@@ -195,6 +195,12 @@ class OfASection(ProgramTest):
         both = ("regions.caisson.centre_of_gravity=[-3, 14]", f"section.centroid={t}")
         self.assertNotIn("centroid_differs", names(self.told(*both, command="explain")))
 
+    def test_a_run_says_that_it_passes_over_levels(self):
+        for keys, told in (((), False), (("levels={ high = 1 }",), True)):
+            found = self.told(*keys)
+            self.assertEqual("levels_not_used" in names(found), told)
+            self.assertEqual({check["level"] for check in found["checks"] if check["by"] == "formulas"}, {"section" if told else None})
+
     def test_soil_without_any_strength_fails_and_is_told(self):
         summary = self.told("regions.seabed.strength={ friction_angle = 0 }", "limits.circles=1")
         self.assertEqual(check_of(summary, "slip circles")["holds"], False)
