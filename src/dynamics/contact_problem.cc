@@ -1,6 +1,7 @@
 #include "contact_problem.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -144,7 +145,7 @@ void ContactProblem::factorise(const std::vector<ContactState>& status) {
   for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
     if (const double sigma = direction(status[released_[k]]); sigma != 0.)
       A.row(static_cast<Eigen::Index>(k)) += friction_ * sigma * D_.row(n_ + released_[k])(released_);
-  if (!released_.empty()) factors_.compute(A);
+  if (!released_.empty()) factors_.compute(std::move(A));
   factorised_ = status;
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <vector>
 
+#include "algebra/dense_factors.h"
 #include "dynamics/contact.h"
 
 namespace upbead::detail {
@@ -54,7 +54,7 @@ class ContactProblem {
   int n_;
   std::vector<ContactState> factorised_;  ///< status for which the matrix is factorised
   std::vector<Eigen::Index> released_;    ///< unknowns that move in that status
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  DenseFactors factors_;
   Eigen::MatrixXd compliance_;  ///< D^-1, once sweeps need it
   int n_fallbacks_ = 0;
 };

@@ -54,7 +54,7 @@ GroundMatrices::GroundMatrices(OfMatrices free, const OfMatrices& coupling, cons
       K_ii(interface.K),
       K_ff(free.K.diagonal()),
       M_diagonal_(Vector::Zero(K_ff.size())) {
-  constexpr double least = 1e-6;
+  constexpr double least = 1e-5;
   const Eigen::Index r = n_free(), m = M_ii.rows();
   Eigen::MatrixXd all(m, 3 * r);
   all << shift * shift * coupling.M.transpose(), shift * coupling.C.transpose(), coupling.K.transpose();
@@ -74,12 +74,17 @@ GroundMatrices::GroundMatrices(OfMatrices free, const OfMatrices& coupling, cons
   M_ff.bottomRightCorner(M_rest_.rows(), M_rest_.rows()) += M_rest_;
 }
 
+Vector GroundMatrices::with_along(const Vector& v) const {
+  Vector out(v.size() + U.cols());
+  out << v, transposed_product(U, v.tail(U.rows()));
+  return out;
+}
+
 GroundProducts GroundMatrices::products(const Vector& v) const {
-  const Eigen::Index r = n_free(), m = v.size() - r;
-  const Vector along = transposed_product(U, v.tail(m));
+  const Eigen::Index r = n_free(), m = U.rows();
   const auto with = [&](const Vector& of_free, const Eigen::MatrixXd& A, const Eigen::MatrixXd& ii) {
     Vector out(v.size());
-    out << of_free + product(A, along), product(U, transposed_product(A, v.head(r))) + product(ii, v.tail(m));
+    out << of_free + product(A, v.tail(U.cols())), product(ii, v.segment(r, m)), transposed_product(A, v.head(r));
     return out;
   };
   return {with(product(M_ff, v.head(r)), M_f, M_ii), with(product(C_ff, v.head(r)), C_f, C_ii),
@@ -88,25 +93,24 @@ GroundProducts GroundMatrices::products(const Vector& v) const {
 
 /// In the rows of free coordinates C a is what M a and K a leave of rhs, in those of the interface M a is.
 GroundProducts GroundMatrices::products(const Vector& a, const Vector& rhs, double g) const {
-  const Eigen::Index r = n_free(), m = a.size() - r, k = U.cols(), n_rest = M_rest_.rows();
-  const auto free = a.head(r), interface = a.tail(m);
-  GroundProducts out{Vector(a.size()), Vector(a.size()), Vector(a.size())};
+  const Eigen::Index r = n_free(), m = U.rows(), k = U.cols(), n_rest = M_rest_.rows();
+  const auto free = a.head(r);
+  GroundProducts out{Vector(a.size()), Vector::Zero(a.size()), Vector::Zero(a.size())};
   out.M.head(r) = M_diagonal_.cwiseProduct(free);
   if (n_rest > 0) out.M.segment(r - n_rest, n_rest) += product(M_rest_, free.tail(n_rest));
   out.K.head(r) = K_ff.cwiseProduct(free);
-  const Eigen::MatrixXd C_and_K = product(U, transposed_product(to_along_, free).reshaped(k, 2).eval());
-  out.C.tail(m) = C_and_K.col(0);
-  out.K.tail(m) = C_and_K.col(1);
-  if (!interface.isZero(0.)) {
-    const Vector along = product(from_along_, transposed_product(U, interface)),
-                 own = product_of_some(interface_, interface);
+  const Vector C_and_K = transposed_product(to_along_, free);
+  out.C.tail(k) = C_and_K.head(k);
+  out.K.tail(k) = C_and_K.tail(k);
+  if (const auto interface = a.segment(r, m); !interface.isZero(0.)) {
+    const Vector along = product(from_along_, a.tail(k)), own = product_of_some(interface_, interface);
     out.M.head(r) += along.head(r);
     out.K.head(r) += along.tail(r);
-    out.C.tail(m) += own.head(m);
-    out.K.tail(m) += own.tail(m);
+    out.C.segment(r, m) = own.head(m);
+    out.K.segment(r, m) = own.tail(m);
   }
   out.C.head(r) = (rhs.head(r) - out.M.head(r) - g * g * out.K.head(r)) / g;
-  out.M.tail(m) = rhs.tail(m) - g * out.C.tail(m) - g * g * out.K.tail(m);
+  out.M.tail(m + k) = rhs.tail(m + k) - g * out.C.tail(m + k) - g * g * out.K.tail(m + k);
   return out;
 }
 

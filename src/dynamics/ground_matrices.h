@@ -7,7 +7,9 @@
 
 namespace upbead {
 
-/// Products of M, C and K with a vector.
+/// Products of M, C and K with a vector [f; i; U' i]. Rows are those of the free coordinates, of the interface but for
+/// what is along U, and of that along U: the rows of the interface are the second ones and U times the last ones. So
+/// their products with such a vector are those of the whole.
 struct GroundProducts {
   Vector M, C, K;
 };
@@ -28,6 +30,8 @@ struct GroundMatrices {
                  const Eigen::MatrixXd& exactly, Eigen::Index n_diagonal, double shift);
 
   Eigen::Index n_free() const { return K_ff.size(); }
+  /// [f; i; U' i] of a vector [f; i].
+  Vector with_along(const Vector& v) const;
   GroundProducts products(const Vector& v) const;
   /// The same of an a with (M + g C + g^2 K) a = rhs, in half of the work.
   GroundProducts products(const Vector& a, const Vector& rhs, double g) const;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra/dense.h"
+#include "algebra/dense_factors.h"
 
 namespace upbead::detail {
 
@@ -11,30 +12,26 @@ namespace {
 constexpr std::size_t kept_stages = 12;
 constexpr int steps_of_products = 64;  ///< then products are made anew, so that their round-off does not add up
 
-/// The block of the free coordinates, with what couples them: [E_ff, A].
-Eigen::MatrixXd ground_block(const GroundMatrices& ground, double g) {
-  const Eigen::Index r = ground.n_free();
-  Eigen::MatrixXd E(r, r + ground.U.cols());
-  E.leftCols(r) = ground.M_ff + g * ground.C_ff;
+/// E_ff.
+Eigen::MatrixXd free_block(const GroundMatrices& ground, double g) {
+  Eigen::MatrixXd E = ground.M_ff + g * ground.C_ff;
   E.diagonal() += g * g * ground.K_ff;
-  E.rightCols(ground.U.cols()) = ground.M_f + g * ground.C_f + g * g * ground.K_f;
   return E;
 }
 
-/// E_ff^-1, and below it A' E_ff^-1.
-Eigen::MatrixXd ground_inverse(const Eigen::MatrixXd& E) {
-  const Eigen::Index r = E.rows(), k = E.cols() - r;
-  Eigen::MatrixXd inverse(r + k, r);
-  inverse.topRows(r) = solve_dense(E.leftCols(r), Eigen::MatrixXd::Identity(r, r));
-  inverse.topRows(r) = (0.5 * (inverse.topRows(r) + inverse.topRows(r).transpose())).eval();
-  inverse.bottomRows(k) = transposed_product(E.rightCols(k), inverse.topRows(r));
-  return inverse;
+/// A, which couples them with what is along U.
+Eigen::MatrixXd coupling_block(const GroundMatrices& ground, double g) {
+  return ground.M_f + g * ground.C_f + g * g * ground.K_f;
 }
 
-Eigen::MatrixXd condensed_ground(const GroundMatrices& ground, double g, const Eigen::MatrixXd& inverse) {
-  const Eigen::Index k = ground.U.cols();
-  const Eigen::MatrixXd A = ground_block(ground, g).rightCols(k);
-  const Eigen::MatrixXd taken = product(inverse.bottomRows(k), A);
+Eigen::MatrixXd ground_inverse(const GroundMatrices& ground, double g) {
+  const Eigen::Index r = ground.n_free();
+  const Eigen::MatrixXd inverse = solve_dense(free_block(ground, g), Eigen::MatrixXd::Identity(r, r));
+  return 0.5 * (inverse + inverse.transpose());
+}
+
+Eigen::MatrixXd condensed_ground(const GroundMatrices& ground, double g, const Eigen::MatrixXd& follows) {
+  const Eigen::MatrixXd taken = transposed_product(coupling_block(ground, g), follows);
   const Eigen::MatrixXd D =
       ground.M_ii + g * ground.C_ii + g * g * ground.K_ii - product(product(ground.U, taken), ground.U.transpose());
   return 0.5 * (D + D.transpose());
@@ -44,24 +41,27 @@ Eigen::MatrixXd condensed_ground(const GroundMatrices& ground, double g, const E
 
 GroundStage::GroundStage(const GroundMatrices& ground, double g, double friction)
     : along_(ground.U),
-      inverse_(ground_inverse(ground_block(ground, g))),
-      follows_(inverse_.bottomRows(ground.U.cols()).transpose()),
-      problem_(condensed_ground(ground, g, inverse_), friction) {}
+      inverse_(ground_inverse(ground, g)),
+      follows_(product(inverse_, coupling_block(ground, g))),
+      problem_(condensed_ground(ground, g, follows_), friction) {}
 
 /// With the interface at rest the free coordinates are E_ff^-1 rhs_f; what its motion adds is in D.
 Vector GroundStage::begin(const DirkStage& stage) {
   const Eigen::Index r = inverse_.cols(), k = along_.cols(), m = along_.rows();
-  alone_ = product(inverse_, stage.rhs.head(r));
-  Vector residual = product(along_, alone_.tail(k)) - stage.rhs.tail(m);
+  const Vector along = transposed_product(follows_, stage.rhs.head(r)) - stage.rhs.tail(k);
+  Vector residual = product(along_, along) - stage.rhs.segment(r, m);
   residual += product_of_some(problem_.stiffness(), stage.a.tail(m));
   return residual;
 }
 
 void GroundStage::finish(DirkStage& stage) {
   const Eigen::Index r = inverse_.cols(), m = along_.rows();
-  stage.a.head(r) = alone_.head(r);
-  if (const auto motion = stage.a.tail(m); !motion.isZero(0.))
-    stage.a.head(r) -= product(follows_, transposed_product(along_, motion));
+  stage.a.head(r) = symmetric_product(inverse_, stage.rhs.head(r));
+  moved_ = Vector::Zero(along_.cols());
+  if (const auto motion = stage.a.tail(m); !motion.isZero(0.)) {
+    moved_ = transposed_product(along_, motion);
+    stage.a.head(r) -= product(follows_, moved_);
+  }
 }
 
 GroundSteps::GroundSteps(const System& system, const GroundMatrices& ground, Tableau tableau, ContactStage& contact,
@@ -74,11 +74,11 @@ GroundSteps::GroundSteps(const System& system, const GroundMatrices& ground, Tab
       c_(tableau_.c()),
       contact_(contact),
       shared_(std::move(shared)),
-      sign_(system.size()),
+      sign_(Vector::Ones(system.size() + ground.U.cols())),
       now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}, nullptr, 0., 0.} {
-  for (Eigen::MatrixXd* stages : {&V_, &A_, &KV_, &KA_, &CV_, &CA_, &MA_}) stages->resize(system.size(), c_.size());
+  for (Eigen::MatrixXd* stages : {&V_, &A_, &KV_, &KA_, &CV_, &CA_, &MA_}) stages->resize(sign_.size(), c_.size());
   for (int i = 0; i < system.size(); ++i)
-    sign_[i] = system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse ? -1. : 1.;
+    if (system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse) sign_[i] = -1.;
 }
 
 GroundStage& GroundSteps::stage_of(double g) {
@@ -95,39 +95,44 @@ GroundStage& GroundSteps::stage_of(double g) {
 /// Makes the products those of the state: it may have been set back, or be another one.
 void GroundSteps::follow(const State& state) {
   GroundMotion& motion = shared_->motion;
-  if (++motion.steps < steps_of_products && motion.x.size() == state.x.size() && motion.x == state.x &&
-      motion.v == state.v)
+  const Eigen::Index n = state.x.size();
+  if (++motion.steps < steps_of_products && motion.x.size() == sign_.size() && motion.x.head(n) == state.x &&
+      motion.v.head(n) == state.v)
     return;
-  GroundProducts of_v = ground_.products(state.v);
-  motion = {state.x, state.v, ground_.products(state.x).K, std::move(of_v.K), std::move(of_v.C), std::move(of_v.M)};
+  Vector x = ground_.with_along(state.x), v = ground_.with_along(state.v), Kx = ground_.products(x).K;
+  GroundProducts of_v = ground_.products(v);
+  motion = {std::move(x), std::move(v), std::move(Kx), std::move(of_v.K), std::move(of_v.C), std::move(of_v.M)};
 }
 
 void GroundSteps::predict(const GroundMotion& motion, double h, int i) {
   const double g = h * tableau_.gamma();
+  const Eigen::Index n = system_.size();
   const Vector weights = h * tableau_.a.row(i).head(i).transpose();
   const auto with = [&](const Vector& start, const Eigen::MatrixXd& stages) -> Vector {
     return start + stages.leftCols(i) * weights;
   };
-  now_.v_predicted = with(motion.v, A_);
+  v_predicted_ = with(motion.v, A_);
   K_of_v_ = with(motion.Kv, KA_);
   C_of_v_ = with(motion.Cv, CA_);
-  now_.x = with(motion.x, V_);
+  now_.v_predicted = v_predicted_.head(n);
+  now_.x = with(motion.x, V_).head(n);
   now_.x_explicit = now_.x.tail(system_.n_prescribed);
   now_.x += g * now_.v_predicted;
-  now_.rhs = f_ - C_of_v_ - with(motion.Kx, KV_) - g * K_of_v_;
+  now_.rhs = -(C_of_v_ + with(motion.Kx, KV_) + g * K_of_v_);
+  now_.rhs.head(n) += f_;
 }
 
 /// Products of the stage that was solved.
-void GroundSteps::multiply(double g, int i) {
-  now_.rhs.tail(residual_.size()) += residual_;
-  const GroundProducts of = ground_.products(now_.a, now_.rhs, g);
+void GroundSteps::multiply(const GroundStage& E, double g, int i) {
+  now_.rhs.segment(ground_.n_free(), residual_.size()) += residual_;
+  A_.col(i) << now_.a, E.moved();
+  V_.col(i) << now_.v, v_predicted_.tail(E.moved().size()) + g * E.moved();
+  const GroundProducts of = ground_.products(A_.col(i), now_.rhs, g);
   MA_.col(i) = of.M;
   KA_.col(i) = of.K;
   CA_.col(i) = of.C;
   KV_.col(i) = K_of_v_ + g * of.K;
   CV_.col(i) = C_of_v_ + g * of.C;
-  V_.col(i) = now_.v;
-  A_.col(i) = now_.a;
 }
 
 bool GroundSteps::step(State& state, double h, double inside, EffectiveMatrices&, EnergyMeter* meter, StageLaw*) {
@@ -145,7 +150,7 @@ bool GroundSteps::step(State& state, double h, double inside, EffectiveMatrices&
     if (!contact_.solve(E, g, now_)) return false;
     const InterfaceForces& forces = contact_.now().forces;
     residual_ << -forces.shear, forces.normal - system_.interface->normal_force;
-    multiply(g, i);
+    multiply(E, g, i);
     if (meter == nullptr) continue;
     const Vector reaction = -(residual_ + f_.tail(2 * n));
     meter->add_frame(h * b_[i], now_.v, load_);
@@ -162,8 +167,9 @@ bool GroundSteps::step(State& state, double h, double inside, EffectiveMatrices&
 /// The last stage is the end of the step.
 void GroundSteps::keep(double h, const State& state, EnergyMeter* meter) {
   GroundMotion& motion = shared_->motion;
-  motion.x = state.x;
-  motion.v = state.v;
+  motion.x += h * V_ * b_;
+  motion.x.head(state.x.size()) = state.x;
+  motion.v = V_.rightCols(1);
   motion.Kx += h * KV_ * b_;
   motion.Kv = KV_.rightCols(1);
   motion.Cv = CV_.rightCols(1);

@@ -10,23 +10,26 @@
 
 namespace upbead::detail {
 
-/// E = M + g C + g^2 K of a ground, condensed on its interface.
+/// E = M + g C + g^2 K of a ground, condensed on its interface. The right-hand side has rows along U, see
+/// GroundProducts.
 class GroundStage : public CondensedStage {
  public:
   GroundStage(const GroundMatrices& ground, double g, double friction);
   Vector begin(const DirkStage& stage) override;
   void finish(DirkStage& stage) override;
   ContactProblem& problem() override { return problem_; }
+  const Vector& moved() const { return moved_; }
 
  private:
   const Eigen::MatrixXd& along_;  ///< U
-  Eigen::MatrixXd inverse_;       ///< E_ff^-1, and below it A^T E_ff^-1
+  Eigen::MatrixXd inverse_;       ///< E_ff^-1
   Eigen::MatrixXd follows_;       ///< E_ff^-1 A
   ContactProblem problem_;
-  Vector alone_;  ///< the free coordinates of the stage, were the interface at rest
+  Vector moved_;  ///< along U, by a of the stage
 };
 
-/// Motion of a ground, and what its matrices make of it, which each stage changes by their products with a alone.
+/// Motion of a ground with what it is along U, and what its matrices make of it, which each stage changes by their
+/// products with a alone.
 struct GroundMotion {
   Vector x, v, Kx, Kv, Cv, Mv;
   int steps = 0;  ///< since these products were made anew
@@ -53,7 +56,7 @@ class GroundSteps : public Steps {
   GroundStage& stage_of(double g);
   void follow(const State& state);
   void predict(const GroundMotion& motion, double h, int i);
-  void multiply(double g, int i);
+  void multiply(const GroundStage& E, double g, int i);
   void keep(double h, const State& state, EnergyMeter* meter);
   void account(double h, const GroundMotion& now, EnergyMeter& meter) const;
 
@@ -65,10 +68,10 @@ class GroundSteps : public Steps {
   ContactStage& contact_;
   std::shared_ptr<GroundStages> shared_;
   std::vector<double> load_;
-  Eigen::MatrixXd V_, A_, KV_, KA_, CV_, CA_, MA_;  ///< of the stages, one per column
+  Eigen::MatrixXd V_, A_, KV_, KA_, CV_, CA_, MA_;  ///< of the stages, one per column, as GroundProducts
   Vector f_, residual_, sign_;
   DirkStage now_;
-  Vector K_of_v_, C_of_v_;  ///< of the velocity that is predicted
+  Vector v_predicted_, K_of_v_, C_of_v_;  ///< the velocity that is predicted, with what it is along U
 };
 
 }  // namespace upbead::detail

@@ -4,6 +4,7 @@
 #include <complex>
 #include <stdexcept>
 
+#include "algebra/dense.h"
 #include "dynamics/phi_functions.h"
 
 namespace upbead {
@@ -102,7 +103,7 @@ Eigen::MatrixXd ReadingsAt::of(const Eigen::Ref<const WaveSamples>& loads,
       state.col(c) << w.re.head(n_modes_).matrix(), w.im.head(n_modes_).matrix();
       y.col(c) += direct_.col(k) * f[at];
     }
-    y.noalias() += reading_[static_cast<std::size_t>(k)] * state;
+    y += product(reading_[static_cast<std::size_t>(k)], state);
     if (!impulse_.col(k).isZero(0.)) y += impulse_.col(k) * integrals_at(f, step_, times);
   }
   return y;
