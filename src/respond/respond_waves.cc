@@ -201,16 +201,6 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
-/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
-/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads.
-double echo_of(const ReducedModelFile& model) {
-  double period = 0., load = 0.;
-  for (const std::complex<double>& pole : model.modes.pole)  // one that decays within a period does not swing on
-    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
-  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
-  return std::min(3. * period, std::max(0., model.end - load));
-}
-
 /// What the waves of one file have in common, and their results.
 class FileWork {
  public:
@@ -349,6 +339,14 @@ void require_caisson(const ModalModel& modes) {
 }
 
 }  // namespace
+
+double echo_of(const ReducedModelFile& model) {
+  double period = 0., load = 0.;
+  for (const std::complex<double>& pole : model.modes.pole)  // one that decays within a period does not swing on
+    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
+  return std::min(3. * period, std::max(0., model.end - load));
+}
 
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options) {
