@@ -61,7 +61,7 @@ const KnownWarning known_warnings[] = {
     {"fast_load", "duration of the loads, and the time in which sound crosses the caisson four times (s)",
      "run, explain", "warnings.md#the-rigid-caisson"},
     {"few_lives", "lives that slide, and 50", "expected, reliability", "expected.md#warnings"},
-    {"few_node_waves", "standard error of S node by node, and 0.2 of S (m)", "expected", "expected.md#warnings"},
+    {"few_node_waves", "`nodes.draw_error`, and 0.2 of `nodes.mean` (m)", "expected", "expected.md#warnings"},
     {"few_waves", "waves of all sea states, and 101: shares of the time in place of numbers", "expected, reliability",
      "expected.md#warnings"},
     {"flow_arm_outside", "height at which the largest force of a CFD run acts, and the end of its wall (m)",

@@ -256,7 +256,8 @@ OutputSchema<NodeSliding> node_sliding_outputs() {
           "of", [](const N& n) { return n.of_lives ? "lives" : "record"; }, "",
           "whose S it is: a life's of `monte_carlo`, or that of `expected`")
       .key("mean", &N::mean, "m", "S of a life, or expected in the years of the record")
-      .key("standard_error", &N::standard_error, "m", "of the mean, by the draw of waves and by that of lives")
+      .key("draw_error", &N::draw_error, "m", "standard error of the mean, by the draw of waves alone")
+      .key("standard_error", &N::standard_error, "m", "and by that of lives, as of the block")
       .key("confidence_interval[]", &N::interval, "m", "of the mean, 95 %")
       .key("block", &N::block, "m", "the same by the law `dynamic`, which slides a rigid block under F_T")
       .key("ratio", ratio, "", "mean over block; null where no block slides")

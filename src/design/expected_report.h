@@ -102,7 +102,8 @@ struct MonteCarlo {
 /// S with slip and lift node by node: of all waves of the lives, or of the record, from some of them.
 struct NodeSliding {
   double mean = 0.;            ///< of a life (m)
-  double standard_error = 0.;  ///< of the mean, by the draw of waves and by that of lives (m)
+  double draw_error = 0.;      ///< standard error of the mean by the draw of waves (m)
+  double standard_error = 0.;  ///< and by that of lives (m)
   Interval interval{};         ///< of the mean, 95 % (m)
   double block = 0.;           ///< S by the law dynamic (m)
   double ground_error = 0.;    ///< bound of what the reduced ground adds (m)

@@ -261,9 +261,9 @@ void add_nodes(const ExpectedAnswer& answer, NumberedWarnings& list) {
                         "), as a block " + with_unit(nodes.block, "m") +
                         ": the larger governs; shares and quantiles of lives are of the block",
                     "read shares and quantiles of lives as too small"});
-  else if (nodes.standard_error > doubtful * nodes.mean && nodes.interval[1] > alike * nodes.block)
+  else if (nodes.draw_error > doubtful * nodes.mean && nodes.interval[1] > alike * nodes.block)
     list.push_back(
-        {"few_node_waves", nodes.standard_error, doubtful * nodes.mean, "m",
+        {"few_node_waves", nodes.draw_error, doubtful * nodes.mean, "m",
          "S with slip and lift node by node, " + with_unit(nodes.mean, "m") + ", rests on few waves: " + range,
          "answer more with --set dynamics.node_waves=NUMBER"});
 }

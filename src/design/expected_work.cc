@@ -334,7 +334,8 @@ NodeSliding nodes_of(const WaveSample& sample, const DearSum& found, int lives, 
   nodes.block = block;
   const double each = sample.block > 0. ? block / sample.block : 1. / lives;
   nodes.mean = std::max(0., each * found.sum);
-  nodes.standard_error = std::hypot(each * found.standard_error, sample.lives * nodes.mean);
+  nodes.draw_error = each * found.standard_error;
+  nodes.standard_error = std::hypot(nodes.draw_error, sample.lives * nodes.mean);
   const double quantile =
       found.freedom > 0 ? boost::math::quantile(boost::math::students_t(found.freedom), 0.975) : 1.96;
   nodes.interval = {std::max(0., nodes.mean - quantile * nodes.standard_error),

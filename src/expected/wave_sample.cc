@@ -32,29 +32,40 @@ class LooseLaw : public SlidingLaw {
   std::unique_ptr<const SlidingLaw> law_;
 };
 
-/// S of equal waves, by the law and under the loose friction.
+/// By what a wave is drawn: S, S under the loose friction, and 1.
+using Measures = std::array<double, WaveSample::ways>;
+
+/// Sums over a life, and its waves without those that are equal.
 struct Slid {
-  double block = 0., near = 0., waves = 0.;
+  Measures sum{};
+  double waves = 0.;
 };
 
-/// A place on the axis of a life's summed S.
+/// A place on the axis of a life's sum of one measure.
 struct Point {
   double at;
-  bool near;
+  std::size_t way;
 };
 
 struct Met {
   SampledWave wave;
-  double near, number;  ///< S under the loose friction (m); of equal waves
-  bool drawn_as_near;
+  Measures by;
+  double number;  ///< of equal waves
+  std::size_t way;
 };
+
+void add(const Met& met, Measures& sum) {
+  for (std::size_t w = 0; w < sum.size(); ++w) sum[w] += met.number * met.by[w];
+}
 
 /// Calls see() with each wave of a life that slides under the loose friction.
 template <class See>
 void each_wave(const LifeSimulation& lives, std::size_t life, const See& see) {
   lives.life(static_cast<std::uint32_t>(life), [&see](const SlidingLaw& law, const DrawnWave& wave, double number) {
-    const double near = law.distance(wave.height, LooseLaw::loose(wave.factors));
-    if (near > 0.) see(Met{{wave, law.distance(wave.height, wave.factors)}, near, number, false});
+    const double loose = law.distance(wave.height, LooseLaw::loose(wave.factors));
+    if (!(loose > 0.)) return;
+    const double block = law.distance(wave.height, wave.factors);
+    see(Met{{wave, block}, {block, loose, 1.}, number, 0});
   });
 }
 
@@ -62,8 +73,7 @@ std::vector<Slid> slid_of_lives(const LifeSimulation& simulation, int lives) {
   std::vector<Slid> slid(static_cast<std::size_t>(lives));
   in_parallel(slid.size(), "looking for waves", [&](std::size_t i) {
     each_wave(simulation, i, [&one = slid[i]](const Met& met) {
-      one.block += met.number * met.wave.block;
-      one.near += met.number * met.near;
+      add(met, one.sum);
       one.waves += 1.;
     });
   });
@@ -71,39 +81,38 @@ std::vector<Slid> slid_of_lives(const LifeSimulation& simulation, int lives) {
 }
 
 /// Relative standard error of the sum over lives.
-double error_of_lives(const std::vector<Slid>& slid, double Slid::*member) {
+double error_of_lives(const std::vector<Slid>& slid, std::size_t way) {
   std::vector<double> values;
-  for (const Slid& one : slid) values.push_back(one.*member);
+  for (const Slid& one : slid) values.push_back(one.sum[way]);
   const LifeStatistics s = statistics(values, {});
   return s.mean > 0. ? s.standard_error / s.mean : 0.;
 }
 
 /// Places at random on the axis of all lives, each within its life.
-void deal_points(const std::vector<Slid>& slid, double Slid::*member, const Stream& stream, int n,
+void deal_points(const std::vector<Slid>& slid, std::size_t way, const Stream& stream, int n,
                  std::vector<std::vector<Point>>& of_life) {
-  const bool near = member == &Slid::near;
   std::vector<double> until{0.};
-  for (const Slid& one : slid) until.push_back(until.back() + one.*member);
+  for (const Slid& one : slid) until.push_back(until.back() + one.sum[way]);
   for (int i = 0; i < n; ++i) {
-    const double at = until.back() * stream.uniform({static_cast<std::uint32_t>(i), near, of_no_storm, for_draw});
+    const StreamPlace place{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(way), of_no_storm, for_draw};
+    const double at = until.back() * stream.uniform(place);
     const auto after = std::upper_bound(until.begin() + 1, until.end() - 1, at);
     const auto life = static_cast<std::size_t>(after - until.begin()) - 1;
-    of_life[life].push_back({std::min(at - until[life], std::nextafter(slid[life].*member, 0.)), near});
+    of_life[life].push_back({std::min(at - until[life], std::nextafter(slid[life].sum[way], 0.)), way});
   }
 }
 
 /// The waves of a life at these places; all of them where `all`.
 std::vector<Met> met_at(const LifeSimulation& simulation, std::size_t life, std::vector<Point> points, bool all) {
   std::vector<Met> found;
-  Slid until;
+  Measures until{};
   each_wave(simulation, life, [&](Met met) {
-    until.block += met.number * met.wave.block;
-    until.near += met.number * met.near;
+    add(met, until);
     if (all) found.push_back(met);
-    const auto passed = [&](const Point& p) { return p.at < (p.near ? until.near : until.block); };
+    const auto passed = [&](const Point& p) { return p.at < until[p.way]; };
     for (const Point& p : points)
       if (passed(p)) {
-        met.drawn_as_near = p.near;
+        met.way = p.way;
         found.push_back(met);
       }
     points.erase(std::remove_if(points.begin(), points.end(), passed), points.end());
@@ -129,7 +138,7 @@ class Distinct {
                                      f.weight};
     const auto [place, is_new] = index_.try_emplace(all, sample_.waves.size());
     if (is_new) sample_.waves.push_back(met.wave);
-    sample_.draws.push_back({place->second, weight, met.drawn_as_near});
+    sample_.draws.push_back({place->second, weight, met.way});
   }
 
  private:
@@ -145,21 +154,18 @@ WaveSample sample_waves(LifeSetup setup, int lives, int most) {
   const std::vector<Slid> slid = slid_of_lives(simulation, lives);
   Slid total;
   for (const Slid& one : slid) {
-    total.block += one.block;
-    total.near += one.near;
+    for (std::size_t w = 0; w < total.sum.size(); ++w) total.sum[w] += one.sum[w];
     total.waves += one.waves;
   }
   WaveSample sample;
-  sample.block = total.block;
-  sample.lives = error_of_lives(slid, total.block > 0. ? &Slid::block : &Slid::near);
+  sample.block = total.sum[0];
+  sample.lives = error_of_lives(slid, sample.block > 0. ? 0 : 1);
   sample.is_whole = total.waves <= most;
-  const int by_block = total.block > 0. ? most / 2 : 0, by_near = most - by_block;
+  std::array<int, WaveSample::ways> n{sample.block > 0. ? most / 2 : 0, most / 4, 0};
+  n[2] = most - n[0] - n[1];
   std::vector<std::vector<Point>> points(slid.size());
-  if (!sample.is_whole) {
-    const Stream stream(setup.seed);
-    deal_points(slid, &Slid::block, stream, by_block, points);
-    deal_points(slid, &Slid::near, stream, by_near, points);
-  }
+  const Stream stream(setup.seed);
+  for (std::size_t w = 0; w < n.size() && !sample.is_whole; ++w) deal_points(slid, w, stream, n[w], points);
   std::vector<std::vector<Met>> met(slid.size());
   in_parallel(slid.size(), "drawing waves", [&](std::size_t i) {
     if (sample.is_whole ? slid[i].waves > 0. : !points[i].empty())
@@ -168,9 +174,10 @@ WaveSample sample_waves(LifeSetup setup, int lives, int most) {
   Distinct distinct(sample);
   for (const std::vector<Met>& of_life : met)
     for (const Met& one : of_life) {
-      // the mean number of draws of one wave, by either way to draw it (Veach and Guibas 1995)
-      const double by_its_block = by_block > 0 ? by_block * one.wave.block / total.block : 0.;
-      distinct.add(one, sample.is_whole ? one.number : 1. / (by_its_block + by_near * one.near / total.near));
+      double drawn = 0.;  // mean number of draws of one wave, by any way (Veach and Guibas 1995)
+      for (std::size_t w = 0; w < n.size(); ++w)
+        if (n[w] > 0) drawn += n[w] * one.by[w] / total.sum[w];
+      distinct.add(one, sample.is_whole ? one.number : 1. / drawn);
     }
   return sample;
 }
@@ -196,11 +203,11 @@ struct Spread {
   double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
 };
 
-Spread spread_of(const WaveSample& sample, const std::vector<DearSlip>& slips, bool near) {
+Spread spread_of(const WaveSample& sample, const std::vector<DearSlip>& slips, std::size_t way) {
   Spread s;
   const auto each = [&](const auto& see) {
     for (const WaveDraw& draw : sample.draws)
-      if (draw.near == near) see(draw.weight * sample.waves[draw.wave].block, draw.weight * slips[draw.wave].sliding);
+      if (draw.way == way) see(draw.weight * sample.waves[draw.wave].block, draw.weight * slips[draw.wave].sliding);
   };
   each([&s](double x, double y) {
     s.n += 1.;
@@ -231,19 +238,27 @@ DearSum estimate(const WaveSample& sample, std::vector<DearSlip> slips) {
   }
   fill(sample, slips, out);
   for (const WaveDraw& draw : sample.draws) out.measure_error += draw.weight * slips[draw.wave].error;
-  const Spread block = spread_of(sample, slips, false), near = spread_of(sample, slips, true);
-  out.sum = block.y + near.y;
+  Spread all;
+  int ways = 0;
+  for (std::size_t w = 0; w < WaveSample::ways; ++w) {
+    const Spread s = spread_of(sample, slips, w);
+    // sums of n draws have n times the variance of one, which is the sum of squares over n - 1
+    const double of_draws = s.n > 1. ? s.n / (s.n - 1.) : 0.;
+    ways += s.n > 0. ? 1 : 0;
+    all.n += s.n;
+    all.x += s.x;
+    all.y += s.y;
+    all.xx += of_draws * s.xx;
+    all.xy += of_draws * s.xy;
+    all.yy += of_draws * s.yy;
+  }
+  out.sum = all.y;
   if (sample.is_whole) return out;
-  // sums of draws have the variance n times that of one draw, which is the sum of squares over n - 1
-  const auto of_draws = [](const Spread& s, double Spread::*member) {
-    return s.n > 1. ? s.*member * s.n / (s.n - 1.) : 0.;
-  };
-  const auto both = [&](double Spread::*member) { return of_draws(block, member) + of_draws(near, member); };
-  const double xx = both(&Spread::xx), slope = xx > 0. ? both(&Spread::xy) / xx : 0.;
-  out.sum += slope * (sample.block - block.x - near.x);
-  out.freedom = static_cast<int>(block.n + near.n) - 3;
-  const double left = both(&Spread::yy) - slope * both(&Spread::xy);
-  out.standard_error = std::sqrt(std::max(left, 0.) * (out.freedom + 1.) / std::max(out.freedom, 1));
+  const double slope = all.xx > 0. ? all.xy / all.xx : 0.;
+  out.sum += slope * (sample.block - all.x);
+  out.freedom = static_cast<int>(all.n) - ways - 1;
+  const double left = std::max(all.yy - slope * all.xy, 0.);
+  out.standard_error = std::sqrt(left * (out.freedom + 1.) / out.freedom);
   return out;
 }
 

@@ -27,7 +27,7 @@ struct Lives {
     }
     NodeSliding& nodes = answer.nodes.emplace();
     nodes.mean = mean;
-    nodes.standard_error = standard_error;
+    nodes.draw_error = nodes.standard_error = standard_error;
     nodes.interval = {mean - 2. * standard_error, mean + 2. * standard_error};
     nodes.block = 0.1;
     nodes.waves = 20;
