@@ -250,7 +250,6 @@ OutputSchema<Told> lives_outputs() {
 
 OutputSchema<NodeSliding> node_sliding_outputs() {
   using N = NodeSliding;
-  const auto ratio = [](const N& n) { return n.block > 0. ? std::optional(n.mean / n.block) : std::nullopt; };
   return OutputSchema<N>()
       .key(
           "of", [](const N& n) { return n.of_lives ? "lives" : "record"; }, "",
@@ -260,7 +259,7 @@ OutputSchema<NodeSliding> node_sliding_outputs() {
       .key("standard_error", &N::standard_error, "m", "and by that of lives, as of the block")
       .key("confidence_interval[]", &N::interval, "m", "of the mean, 95 %")
       .key("block", &N::block, "m", "the same by the law `dynamic`, which slides a rigid block under F_T")
-      .key("ratio", ratio, "", "mean over block; null where no block slides")
+      .key("ratio", &N::ratio, "", "mean over block, of the same waves; null where none of them slides as a block")
       .key("ground_error", &N::ground_error, "m",
            "bound of what the reduced ground adds to the error of the mean, by nested models")
       .key("waves", &N::waves, "", "different waves that were answered")

@@ -101,16 +101,17 @@ struct MonteCarlo {
 
 /// S with slip and lift node by node: of all waves of the lives, or of the record, from some of them.
 struct NodeSliding {
-  double mean = 0.;            ///< of a life (m)
-  double draw_error = 0.;      ///< standard error of the mean by the draw of waves (m)
-  double standard_error = 0.;  ///< and by that of lives (m)
-  Interval interval{};         ///< of the mean, 95 % (m)
-  double block = 0.;           ///< S by the law dynamic (m)
-  double ground_error = 0.;    ///< bound of what the reduced ground adds (m)
-  int waves = 0;               ///< different ones that were answered
-  int unanswered = 0;          ///< those which were not
-  bool is_whole = false;       ///< whether all waves were answered
-  bool of_lives = false;       ///< of lives, not of the record
+  double mean = 0.;             ///< of a life (m)
+  double draw_error = 0.;       ///< standard error of the mean by the draw of waves (m)
+  double standard_error = 0.;   ///< and by that of lives (m)
+  Interval interval{};          ///< of the mean, 95 % (m)
+  double block = 0.;            ///< S by the law dynamic (m)
+  std::optional<double> ratio;  ///< to that, of the same waves; none where no block slides
+  double ground_error = 0.;     ///< bound of what the reduced ground adds (m)
+  int waves = 0;                ///< different ones that were answered
+  int unanswered = 0;           ///< those which were not
+  bool is_whole = false;        ///< whether all waves were answered
+  bool of_lives = false;        ///< of lives, not of the record
 };
 
 /// Answers waves node by node by a model with contact, one of whose loads is the wave.

@@ -334,6 +334,7 @@ NodeSliding nodes_of(const WaveSample& sample, const DearSum& found, int lives, 
   nodes.block = block;
   const double each = sample.block > 0. ? block / sample.block : 1. / lives;
   nodes.mean = std::max(0., each * found.sum);
+  if (sample.block > 0.) nodes.ratio = std::max(0., found.sum) / sample.block;
   nodes.draw_error = each * found.standard_error;
   nodes.standard_error = std::hypot(nodes.draw_error, sample.lives * nodes.mean);
   const double quantile =

@@ -26,12 +26,13 @@ struct SampledWave {
 struct WaveDraw {
   std::size_t wave;  ///< index
   double weight;     ///< S times weight, summed over all draws, is the sum over all waves
-  bool near;         ///< drawn by S under the loose friction
+  std::size_t way;
 };
 
 /// Waves of all waves of lives that slide the caisson by the cheap law under `loose_friction` times their friction.
 struct WaveSample {
   static constexpr double loose_friction = 0.7;
+  static constexpr std::size_t ways = 3;  ///< to draw a wave
 
   std::vector<SampledWave> waves;
   std::vector<WaveDraw> draws;
@@ -40,9 +41,10 @@ struct WaveSample {
   bool is_whole = true;  ///< all waves were taken
 };
 
-/// Draws half of the waves with a probability proportional to S, and half to S under the loose friction, so that those
-/// which only the dear measure slides are met; others are taken not to slide. `most`: number of draws, at least 4;
-/// where there are no more waves than that, all are taken. The draws depend on the seed alone.
+/// Draws half of the waves with a probability proportional to S, and so that those which only the dear measure slides
+/// are met, a quarter by S under the loose friction and a quarter all alike; waves that do not slide under it are taken
+/// not to slide. `most`: number of draws, at least 10; where there are no more waves than that, all are taken. The
+/// draws depend on the seed alone.
 WaveSample sample_waves(LifeSetup setup, int lives, int most);
 
 /// The sum of S over all waves of the lives, by the dear measure (m).

@@ -54,7 +54,7 @@ DearSlip slip_of(const WaveContacts& contacts, const ReadingsAt& demand, const R
   if (!out.contact || !out.contact->solved) return {0., 0., out.why_not_contact};
   const NodeContact& solved = *out.contact->solved;
   if (solved.end_velocity != 0.) return {0., 0., "it still slides when the wave is over"};
-  return {std::max(solved.slip, 0.) * wave.mass_ratio, solved.ground->slip * wave.mass_ratio, ""};
+  return {std::max(solved.least_slip, 0.) * wave.mass_ratio, solved.ground->slip * wave.mass_ratio, ""};
 }
 
 }  // namespace

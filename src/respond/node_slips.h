@@ -11,7 +11,8 @@
 namespace upbead {
 
 /// Answers the waves on all cores, each from rest; `load`: of the model, which stands for the wave. The model has
-/// contact. N at rest is that of the model, scaled to W' of the wave, and S is inversely proportional to the mass, as
+/// contact. S is how far the bottom as a whole slid: local slip at edges that lift hardly grows from one equal wave to
+/// the next. N at rest is that of the model, scaled to W' of the wave, and S is inversely proportional to the mass, as
 /// in a block. The uplift is Goda's triangle.
 std::vector<DearSlip> node_slips(const ReducedModelFile& model, int load, const std::vector<WaveOnBottom>& waves);
 
