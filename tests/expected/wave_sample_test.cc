@@ -73,6 +73,21 @@ TEST(WaveSample, HasTheSumOfAllWavesWithinWhatIsTold) {
   EXPECT_LT(told, 0.15);
 }
 
+TEST(WaveSample, SeesWhatManyWavesAddThatSlideNoBlock) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const WaveSample all = sample_waves(lives(seed), n_lives, everything), few = sample_waves(lives(seed), n_lives, 60);
+    const auto more = [](const WaveSample& sample) {
+      std::vector<DearSlip> slips = dear(sample);
+      for (DearSlip& slip : slips) slip.sliding += 0.003;
+      return estimate(sample, slips);
+    };
+    const DearSum truth = more(all), found = more(few);
+    EXPECT_GT(truth.sum, 1.2 * estimate(all, dear(all)).sum);
+    EXPECT_LT(std::abs(found.sum - truth.sum), 3.5 * found.standard_error) << seed;
+    EXPECT_LT(found.standard_error, 0.3 * truth.sum);
+  }
+}
+
 TEST(WaveSample, IsExactWhereTheMeasuresAgree) {
   const WaveSample sample = sample_waves(lives(1), n_lives, 40);
   std::vector<DearSlip> same;
