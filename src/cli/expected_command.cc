@@ -10,6 +10,7 @@
 #include "design/expected_report.h"
 #include "design/lives.h"
 #include "output/output_text.h"
+#include "respond/node_slips.h"
 
 namespace upbead {
 
@@ -83,7 +84,7 @@ DesignOutput expected(const Design& design, const DesignOptions& options, const 
   ExpectedTiming timing;
   timing.read = since_start.seconds();
   const LivesByLaw lives = options.merge ? merged_lives(design, options) : LivesByLaw();
-  const ExpectedAnswer answer = find_expected(design, options.merge ? &lives : nullptr);
+  const ExpectedAnswer answer = find_expected(design, options.merge ? &lives : nullptr, node_slips);
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
   Json summary = to_json(design, answer, timing);

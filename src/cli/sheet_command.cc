@@ -28,6 +28,7 @@
 #include "output/soil_model_file.h"
 #include "reliability/answer.h"
 #include "reliability/ground.h"
+#include "respond/node_slips.h"
 #include "run/derived.h"
 #include "upbead/base/error.h"
 
@@ -189,7 +190,7 @@ Done expected_part(const SheetInput& input, const SolvedScene& solved, const Out
   if (!input.asked.life)
     return no_part("expected", "no [sea] or [storms]: nothing is known of the sliding distance of a life");
   const DesignWithModel with = with_model(*input.design, solved, folder);
-  const ExpectedAnswer answer = find_expected(with.design);
+  const ExpectedAnswer answer = find_expected(with.design, nullptr, node_slips);
   NumberedWarnings warnings = warnings_of(with.design, answer);
   append(warnings, model_warnings("the life has", input, folder));
   if (!with.why_none.empty())

@@ -82,6 +82,7 @@ struct DynamicsTable {
   std::string load;            ///< the load that stands for the wave; "": the only or largest one
   std::optional<double> step;  ///< of the samples (s)
   Soil soil;                   ///< of a model of soils; keys that are left out have the case's value
+  int node_waves = 100;        ///< waves that are answered node by node, where the model has contact; 0: none
 };
 
 /// [impact].

@@ -180,6 +180,11 @@ void check_dynamics(const DesignTables& tables, const Document& document, Diagno
   if (!report.sound("dynamics")) return;
   if (tables.dynamics && sound_section(report))
     check_model("dynamics", *tables.dynamics, tables.section, tables.water, document, report);
+  constexpr int least_nodes = 10;
+  if (tables.dynamics && tables.dynamics->node_waves > 0 && tables.dynamics->node_waves < least_nodes)
+    report.add(document.place("dynamics.node_waves"),
+               "node_waves = " + std::to_string(tables.dynamics->node_waves) + " are too few to tell their error",
+               "give at least " + std::to_string(least_nodes) + ", or 0 for none");
   if (!tables.dynamics && tables.life && report.sound("life") && tables.life->sliding == Law::dynamic)
     report.add(document.place("life.sliding"), "sliding = \"dynamic\" needs the caisson's dynamics",
                "add [dynamics] with model = the path of a reduced model, made by 'upbead reduce'");

@@ -18,6 +18,7 @@ struct ToldExpected {
   Checks checks;
   NumberedWarnings warnings;
   std::optional<Verdict> verdict;
+  std::string why_no_nodes;
 };
 using Told = ToldExpected;
 using Answer = ExpectedAnswer;
@@ -248,6 +249,26 @@ OutputSchema<Told> lives_outputs() {
               "the same lives by the law `exact`, beside those by own dynamics; null where the lives are by formulas");
 }
 
+OutputSchema<NodeSliding> node_sliding_outputs() {
+  using N = NodeSliding;
+  return OutputSchema<N>()
+      .key(
+          "of", [](const N& n) { return n.of_lives ? "lives" : "record"; }, "",
+          "whose S it is: a life's of `monte_carlo`, or that of `expected`")
+      .key("mean", &N::mean, "m", "S of a life, or expected in the years of the record")
+      .key("draw_error", &N::draw_error, "m", "standard error of the mean, by the draw of waves alone")
+      .key("standard_error", &N::standard_error, "m", "and by that of lives, as of the block")
+      .key("confidence_interval[]", &N::interval, "m", "of the mean, 95 %")
+      .key("block", &N::block, "m", "the same by the law `dynamic`, which slides a rigid block under F_T")
+      .key("ratio", &N::ratio, "", "mean over block, of the same waves; null where none of them slides as a block")
+      .key("ground_error", &N::ground_error, "m",
+           "bound of what the reduced ground adds to the error of the mean, by nested models")
+      .key("waves", &N::waves, "", "different waves that were answered")
+      .key("unanswered", &N::unanswered, "",
+           "waves that could not be, to which the largest ratio of the others to the block was given")
+      .key("all_waves", &N::is_whole, "", "whether these are all waves that may slide, and not a draw from them");
+}
+
 OutputSchema<Told> expected_timing_outputs() {
   const auto lives = [](double MonteCarlo::*member) {
     return [member](const Told& t) {
@@ -260,6 +281,7 @@ OutputSchema<Told> expected_timing_outputs() {
       .key("quadrature", inner(&Told::answer, &Answer::quadrature_seconds), "s", "quadrature")
       .key("monte_carlo", inner(&Told::answer, &Answer::monte_carlo, &MonteCarlo::seconds), "s",
            "lives; null without `[life]`")
+      .key("nodes", inner(&Told::answer, &Answer::nodes_seconds), "s", "waves node by node")
       .key("waves_per_second", lives(&MonteCarlo::waves), "1/s", "of all lives; absent without `[life]`")
       .or_left_out()
       .key("waves_computed_per_second", lives(&MonteCarlo::answered), "1/s", "those whose S was computed")
@@ -295,6 +317,10 @@ const OutputSchema<Told>& expected_outputs() {
                  "waves above the `heights` that were asked for")
           .object("model", inner(&Told::answer, &Answer::model), used_model_outputs(),
                   "of the law `dynamic`; null without one")
+          .object("nodes", inner(&Told::answer, &Answer::nodes), node_sliding_outputs(),
+                  "S with slip and lift node by node, of waves drawn from all; null where the model has no contact, "
+                  "and where it is not known")
+          .reason("why_no_nodes", &Told::why_no_nodes, "why `nodes` is null though the model has contact")
           .object(
               "monte_carlo", [](const Told& t) { return t.answer->monte_carlo ? &t : nullptr; }, lives_outputs(),
               "lives drawn at random; null without `[life]`")
@@ -311,10 +337,18 @@ std::vector<OutputRow> rows_of_expected() {
 }
 
 Json to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
-  ToldExpected told{&design, &answer, &timing, {}, {}, checks_of(design, answer), warnings_of(design, answer), {}};
+  ToldExpected told{&design,
+                    &answer,
+                    &timing,
+                    {},
+                    {},
+                    checks_of(design, answer),
+                    warnings_of(design, answer),
+                    {},
+                    answer.why_no_nodes};
   append(told.checks, unjudged_limits(design.tables.limits, told.checks, false));
-  if (!answer.total.empty()) told.expected = headline_of(answer.total);
-  if (answer.monte_carlo) told.of_life = headline_of(*answer.monte_carlo, answer.formula_lives);
+  if (!answer.total.empty()) told.expected = headline_of(answer);
+  if (answer.monte_carlo) told.of_life = headline_of_life(answer);
   if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);
   return expected_outputs().to_json(told);
 }

@@ -189,6 +189,7 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
          "the soil of the model follows its strain: all waves are answered with the stiffness that P = " +
              with_unit(forces_of_case(file)[1], "N/m") + " has left, though each leaves another",
          "reduce the case with a load of about the size of the waves that slide the caisson, and look how S changes"});
+  if (file.contact) model.nodes = std::make_shared<const ReducedModelFile>(file);
   if (file.circles) model.shear.circles = std::make_shared<const CircleModel>(*file.circles);
   return model;
 }
@@ -223,6 +224,8 @@ void Laws::read_model(const Design& design, const std::vector<SeaState>& record)
   for (const SeaState& state : record) longest = std::max(longest, 0.5 * state.period);
   model_ = {model.title, model.load, table.step.value_or(rise / steps_of_a_rise), rise, model.warnings};
   circles_ = model.shear.circles;
+  nodes_ = model.nodes;
+  load_ = model.shear.load;
   answer_ = std::make_shared<const ShearAnswer>(model.shear, model_->step, longer_by_scatter * longest);
 }
 
@@ -233,6 +236,13 @@ std::unique_ptr<SlidingLaw> Laws::make(Law law, const SeaState& state) const {
 
 std::unique_ptr<DynamicLaw> Laws::dynamic(const SeaState& state) const {
   return std::make_unique<DynamicLaw>(breakwater_, state, impact_, answer_);
+}
+
+std::vector<DearSlip> Laws::slips(const NodeAnswer& answer, const std::vector<SampledWave>& waves) const {
+  std::vector<WaveOnBottom> on_bottom;
+  for (const SampledWave& one : waves)
+    on_bottom.push_back(dynamic(one.wave.sea)->on_bottom(one.wave.height, one.wave.factors));
+  return answer(*nodes_, load_, on_bottom);
 }
 
 std::optional<WorstBase> Laws::base(Law law, const DrawnWave& wave) const {

@@ -25,7 +25,8 @@ struct WaveModel {
   std::string title;
   std::string load;  ///< name of the load that stands for the wave
   ShearModel shear;
-  NumberedWarnings warnings;  ///< of its scene
+  NumberedWarnings warnings;                        ///< of its scene
+  std::shared_ptr<const ReducedModelFile> nodes{};  ///< the file, where it has contact node by node; else null
 };
 
 /// Chooses the load of a reduced model. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson,
@@ -71,6 +72,9 @@ class Laws {
   /// The default law: dynamic where there is a model, else exact.
   Law best() const { return answer_ ? Law::dynamic : Law::exact; }
   const std::optional<ModelUsed>& model() const { return model_; }
+  /// S of waves with slip and lift node by node; only where knows_nodes().
+  std::vector<DearSlip> slips(const NodeAnswer& answer, const std::vector<SampledWave>& waves) const;
+  bool knows_nodes() const { return nodes_ != nullptr; }
 
  private:
   void read_model(const Design& design, const std::vector<SeaState>& record);
@@ -80,6 +84,8 @@ class Laws {
   std::optional<ModelUsed> model_;
   std::shared_ptr<const ShearAnswer> answer_;
   std::shared_ptr<const CircleModel> circles_;
+  std::shared_ptr<const ReducedModelFile> nodes_;
+  int load_ = 0;  ///< of the model, that is the wave
 };
 
 }  // namespace upbead

@@ -99,6 +99,8 @@ std::string brief(const Design& design, const ExpectedAnswer& answer, const Json
     add("monte_carlo", {"without_scatter", "probability", "base", "why_no_base", "ways"});
   }
   if (answer.formula_lives) add("monte_carlo.by_formulas", by_law);
+  if (answer.nodes) add("nodes", {"mean", "confidence_interval", "block", "ratio", "ground_error", "waves"});
+  if (!answer.why_no_nodes.empty()) keys.emplace_back("why_no_nodes");
   keys.emplace_back("exceedance");
   Checks checks = checks_of(design, answer);
   append(checks, unjudged_limits(design.tables.limits, checks, false));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,8 @@
 #include "case/records/record_layout.h"
 #include "design.h"
 #include "design/lives.h"
+#include "expected/dynamic_law.h"
+#include "expected/wave_sample.h"
 #include "output/checks.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
@@ -17,6 +20,7 @@
 namespace upbead {
 
 struct OutputRow;
+struct ReducedModelFile;
 
 inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
 
@@ -95,6 +99,25 @@ struct MonteCarlo {
   double seconds = 0.;
 };
 
+/// S with slip and lift node by node: of all waves of the lives, or of the record, from some of them.
+struct NodeSliding {
+  double mean = 0.;             ///< of a life (m)
+  double draw_error = 0.;       ///< standard error of the mean by the draw of waves (m)
+  double standard_error = 0.;   ///< and by that of lives (m)
+  Interval interval{};          ///< of the mean, 95 % (m)
+  double block = 0.;            ///< S by the law dynamic (m)
+  std::optional<double> ratio;  ///< to that, of the same waves; none where no block slides
+  double ground_error = 0.;     ///< bound of what the reduced ground adds (m)
+  int waves = 0;                ///< different ones that were answered
+  int unanswered = 0;           ///< those which were not
+  bool is_whole = false;        ///< whether all waves were answered
+  bool of_lives = false;        ///< of lives, not of the record
+};
+
+/// Answers waves node by node by a model with contact, one of whose loads is the wave.
+using NodeAnswer =
+    std::function<std::vector<DearSlip>(const ReducedModelFile& model, int load, const std::vector<WaveOnBottom>&)>;
+
 /// The distance that is told first: the largest of all routes to it.
 struct Headline {
   double value = 0.;  ///< m
@@ -115,7 +138,9 @@ struct ExpectedAnswer {
   std::optional<ModelUsed> model;
   std::optional<MonteCarlo> monte_carlo;
   std::optional<MonteCarlo> formula_lives;  ///< the same lives by formulas, beside those by own dynamics
-  double quadrature_seconds = 0.;
+  std::optional<NodeSliding> nodes;         ///< where the model has contact, and the law is dynamic
+  std::string why_no_nodes;                 ///< why not, where the model has contact; else ""
+  double quadrature_seconds = 0., nodes_seconds = 0.;
   RecordNotes notes;  ///< how the sea states were read
 };
 
@@ -124,9 +149,10 @@ inline double share_of(double some, double all) {
   return all > 0. ? some / all : 0.;
 }
 
-/// Computes on all cores; the numbers do not depend on how many. `known`: all lives, which are not computed then.
-/// Throws NumericsError where a number is not finite.
-ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known = nullptr);
+/// Computes on all cores; the numbers do not depend on how many. `known`: all lives, which are not computed then;
+/// `nodes`: where waves are also to be answered node by node. Throws NumericsError where a number is not finite.
+ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known = nullptr,
+                             const NodeAnswer& nodes = nullptr);
 
 /// Wall times (s).
 struct ExpectedTiming {
@@ -143,8 +169,8 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string brief(const Design& design, const ExpectedAnswer& answer, const Json& summary);
 
 /// The largest expected distance, of all laws; and the largest mean S of a life, of both routes.
-Headline headline_of(const std::map<Law, Expectation>& laws);
-Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& by_formulas);
+Headline headline_of(const ExpectedAnswer& answer);
+Headline headline_of_life(const ExpectedAnswer& answer);
 
 /// Checks of the record and of the lives against [limits], and what makes the numbers doubtful.
 Checks checks_of(const Design& design, const ExpectedAnswer& answer);

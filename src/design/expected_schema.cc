@@ -95,6 +95,10 @@ TableSchema<DynamicsTable> dynamics_schema() {
       .key("step", &DynamicsTable::step, "s", "step of the answers; auto: from the rise of the waves and the model",
            from_to(1e-5, 1.))
       .or_word("auto");
+  table.key("node_waves", &DynamicsTable::node_waves, "",
+            "waves drawn from all, to be answered with slip and lift node by node where the model has contact: their S "
+            "gives that of all; 0: none",
+            from_to(0., 1e6));
   return table;
 }
 

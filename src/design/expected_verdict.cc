@@ -126,8 +126,7 @@ Check distance_check(const std::string& name, const Headline& headline, const st
 }
 
 void add_record(const ExpectedAnswer& answer, const Limits& limits, Checks& list) {
-  list.push_back(
-      distance_check("expected sliding distance", headline_of(answer.total), "expected.headline.value", limits));
+  list.push_back(distance_check("expected sliding distance", headline_of(answer), "expected.headline.value", limits));
   const std::string assumption = "the height that one wave of a sea state exceeds; the worst of all sea states";
   add_base({"highest wave", "expected.base.goda", assumption, Law::exact}, answer.base.goda, limits, list);
   if (answer.base.dynamic)
@@ -267,6 +266,34 @@ void add_routes(double by_formulas, double by_dynamics, const std::string& what,
                   "believed"});
 }
 
+/// Warns where nodes slip farther than a block, where some waves have no answer, and where there is none at all.
+void add_nodes(const ExpectedAnswer& answer, NumberedWarnings& list) {
+  constexpr double alike = 1.05, doubtful = 0.2;
+  const int untold = answer.nodes ? answer.nodes->unanswered : 0;
+  if (!answer.why_no_nodes.empty() || untold > 0)
+    list.push_back({"no_contact", static_cast<double>(untold), 0., "1",
+                    answer.nodes ? std::to_string(untold) + " of " + std::to_string(untold + answer.nodes->waves) +
+                                       " waves have no S node by node; the largest ratio of the others to that of a "
+                                       "block was taken for them"
+                                 : "S with slip and lift node by node is not known: " + answer.why_no_nodes,
+                    "solve such a wave by 'upbead run', which marches the whole ground"});
+  if (!answer.nodes) return;
+  const NodeSliding& nodes = *answer.nodes;
+  const std::string range =
+      "95 % interval " + with_unit(nodes.interval[0], "m") + " to " + with_unit(nodes.interval[1], "m");
+  if (nodes.mean > alike * nodes.block)
+    list.push_back({"nodes_slide_farther", nodes.mean, nodes.block, "m",
+                    "with slip and lift node by node the caisson slides " + with_unit(nodes.mean, "m") + " (" + range +
+                        "), as a block " + with_unit(nodes.block, "m") +
+                        ": the larger governs; shares and quantiles of lives are of the block",
+                    "read shares and quantiles of lives as too small"});
+  else if (nodes.draw_error > doubtful * nodes.mean && nodes.interval[1] > alike * nodes.block)
+    list.push_back(
+        {"few_node_waves", nodes.draw_error, doubtful * nodes.mean, "m",
+         "S with slip and lift node by node, " + with_unit(nodes.mean, "m") + ", rests on few waves: " + range,
+         "answer more with --set dynamics.node_waves=NUMBER"});
+}
+
 /// Warns where the given peak of an impact is below Goda's P in the highest wave of the record.
 void add_below_goda(const Design& design, const ExpectedAnswer& answer, NumberedWarnings& list) {
   const auto& gain = design.tables.impact.peak_gain;
@@ -311,7 +338,9 @@ void add_levels(const DesignTables& tables, const std::vector<StateAnswer>& stat
 
 }  // namespace
 
-Headline headline_of(const std::map<Law, Expectation>& laws) {
+namespace {
+
+Headline of_laws(const std::map<Law, Expectation>& laws) {
   Headline headline;
   std::string others;
   for (const auto& [law, found] : laws)
@@ -326,13 +355,30 @@ Headline headline_of(const std::map<Law, Expectation>& laws) {
   return headline;
 }
 
-Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& by_formulas) {
+Headline of_lives(const MonteCarlo& lives, const std::optional<MonteCarlo>& by_formulas) {
   if (!by_formulas)
     return {lives.statistics.mean, lives.law, "the mean of all lives, by the one law that was asked for"};
   const bool first = lives.statistics.mean >= by_formulas->statistics.mean;
   const MonteCarlo &larger = first ? lives : *by_formulas, &other = first ? *by_formulas : lives;
   return {larger.statistics.mean, larger.law,
           "the mean of all lives, the larger of two routes: " + told(other.law, other.statistics.mean)};
+}
+
+/// S with slip and lift node by node, where it is larger.
+Headline or_of_nodes(Headline first, const std::optional<NodeSliding>& nodes, bool of_lives) {
+  if (!nodes || nodes->of_lives != of_lives || nodes->mean <= first.value) return first;
+  return {nodes->mean, Law::dynamic,
+          "slip and lift node by node, larger than as a block: " + told(first.law, first.value)};
+}
+
+}  // namespace
+
+Headline headline_of(const ExpectedAnswer& answer) {
+  return or_of_nodes(of_laws(answer.total), answer.nodes, false);
+}
+
+Headline headline_of_life(const ExpectedAnswer& answer) {
+  return or_of_nodes(of_lives(*answer.monte_carlo, answer.formula_lives), answer.nodes, true);
 }
 
 namespace {
@@ -356,8 +402,8 @@ Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
   if (!answer.states.empty()) add_record(answer, limits, list);
   add_unjudged(answer, limits, list);
   if (!answer.monte_carlo) return list;
-  list.push_back(distance_check("sliding distance of a life", headline_of(*answer.monte_carlo, answer.formula_lives),
-                                "monte_carlo.headline.value", limits));
+  list.push_back(
+      distance_check("sliding distance of a life", headline_of_life(answer), "monte_carlo.headline.value", limits));
   add_lives(*answer.monte_carlo, "monte_carlo", limits, list);
   if (answer.formula_lives) add_lives(*answer.formula_lives, "monte_carlo.by_formulas", limits, list);
   return list;
@@ -380,6 +426,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   }
   if (const auto dynamic = answer.total.find(Law::dynamic); dynamic != answer.total.end())
     add_routes(answer.total.at(Law::exact).distance, dynamic->second.distance, "the expected distance", limits, list);
+  add_nodes(answer, list);
   for (const auto* lives : {&answer.monte_carlo, &answer.formula_lives})
     if (*lives) {
       add_few_lives(**lives, list);

@@ -1,6 +1,7 @@
 #include "design/expected_report.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <mutex>
@@ -212,6 +213,27 @@ WaysOfLives ways_of_lives(const Limits& limits, const std::vector<LifeNumbers>& 
           0.};
 }
 
+LifeSetup life_setup(const Design& design, const Laws& laws, const std::vector<SeaState>& record, Law law) {
+  const DesignTables& tables = design.tables;
+  LifeSetup setup;
+  if (tables.storms) {
+    setup.source = source_of(design);
+  } else {
+    setup.states = record;
+    setup.record_years = tables.sea->years;
+  }
+  setup.life_years = tables.life->years;
+  setup.cut = tables.highest().cut;
+  if (tables.highest().breaking)
+    setup.limit = [&tables](const SeaState& state) {
+      return sea_before(tables.section, tables.water, state).heights.breaker;
+    };
+  setup.uncertain = uncertainties(tables.scatter);
+  setup.law = [&laws, law](const SeaState& state) { return laws.make(law, state); };
+  setup.seed = static_cast<std::uint64_t>(tables.life->seed);
+  return setup;
+}
+
 /// The lives by one law.
 class LivesOfLaw {
  public:
@@ -237,23 +259,7 @@ class LivesOfLaw {
 
  private:
   LifeSetup setup(const Design& design, const std::vector<SeaState>& record) const {
-    const DesignTables& tables = design.tables;
-    LifeSetup setup;
-    if (tables.storms) {
-      setup.source = source_of(design);
-    } else {
-      setup.states = record;
-      setup.record_years = tables.sea->years;
-    }
-    setup.life_years = tables.life->years;
-    setup.cut = tables.highest().cut;
-    if (tables.highest().breaking)
-      setup.limit = [&tables](const SeaState& state) {
-        return sea_before(tables.section, tables.water, state).heights.breaker;
-      };
-    setup.uncertain = uncertainties(tables.scatter);
-    setup.law = [&laws = laws_, law = law_](const SeaState& state) { return laws.make(law, state); };
-    setup.seed = static_cast<std::uint64_t>(tables.life->seed);
+    LifeSetup setup = life_setup(design, laws_, record, law_);
     setup.worst_of_storms = knows_ways_;
     return setup;
   }
@@ -316,6 +322,56 @@ std::vector<Law> laws_of_lives(const Design& design, const Laws& laws) {
   return law == Law::dynamic ? std::vector{law, Law::exact} : std::vector{law};
 }
 
+/// Lives of the record, in place of those of a design that has none.
+LifeTable lives_of_record(const Design& design) {
+  constexpr int lives = 200;
+  return {design.tables.sea->years, lives, 1, Law::dynamic};
+}
+
+/// S node by node of all waves, from some of them; `block`: that of the law dynamic.
+NodeSliding nodes_of(const WaveSample& sample, const DearSum& found, int lives, double block) {
+  NodeSliding nodes;
+  nodes.block = block;
+  const double each = sample.block > 0. ? block / sample.block : 1. / lives;
+  nodes.mean = std::max(0., each * found.sum);
+  if (sample.block > 0.) nodes.ratio = std::max(0., found.sum) / sample.block;
+  nodes.draw_error = each * found.standard_error;
+  nodes.standard_error = std::hypot(nodes.draw_error, sample.lives * nodes.mean);
+  const double quantile =
+      found.freedom > 0 ? boost::math::quantile(boost::math::students_t(found.freedom), 0.975) : 1.96;
+  nodes.interval = {std::max(0., nodes.mean - quantile * nodes.standard_error),
+                    nodes.mean + quantile * nodes.standard_error};
+  nodes.ground_error = each * found.measure_error;
+  nodes.waves = static_cast<int>(sample.waves.size()) - found.unanswered;
+  nodes.unanswered = found.unanswered;
+  nodes.is_whole = sample.is_whole;
+  return nodes;
+}
+
+/// Slip and lift node by node of some of the waves of the lives, or of the record where there are none.
+void slide_nodes(Design design, const Laws& laws, const std::vector<SeaState>& record, const NodeAnswer& nodes,
+                 ExpectedAnswer& answer) {
+  const bool of_lives = answer.monte_carlo.has_value();
+  if (of_lives && answer.monte_carlo->law != Law::dynamic) {
+    answer.why_no_nodes = std::string("the lives are by the law ") + word(answer.monte_carlo->law);
+    return;
+  }
+  const Stopwatch watch;
+  if (!of_lives) {
+    design.tables.life = lives_of_record(design);
+    design.tables.scatter = {};
+  }
+  const int lives = design.tables.life->lives;
+  const double block = of_lives ? answer.monte_carlo->statistics.mean : answer.total.at(Law::dynamic).distance;
+  const WaveSample sample =
+      sample_waves(life_setup(design, laws, record, Law::dynamic), lives, design.tables.dynamics->node_waves);
+  const DearSum found = estimate(sample, laws.slips(nodes, sample.waves));
+  answer.why_no_nodes = found.why_not;
+  if (found.why_not.empty()) answer.nodes = nodes_of(sample, found, lives, block);
+  if (answer.nodes) answer.nodes->of_lives = of_lives;
+  answer.nodes_seconds = watch.seconds();
+}
+
 void integrate(const Design& design, const Laws& laws, const std::vector<SeaState>& record, ExpectedAnswer& answer) {
   for (const SeaState& state : record) {
     answer.states.push_back(answer_of(design.tables, state));
@@ -355,7 +411,7 @@ NumberedWarnings heights_above_depth(const std::vector<SeaState>& record, double
 
 }  // namespace
 
-ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known) {
+ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known, const NodeAnswer& nodes) {
   std::vector<SeaState> record;
   RecordNotes notes;
   if (design.tables.sea)
@@ -373,6 +429,8 @@ ExpectedAnswer find_expected(const Design& design, const LivesByLaw* known) {
       std::optional<MonteCarlo>& found = answer.monte_carlo ? answer.formula_lives : answer.monte_carlo;
       found = simulate(design, laws, record, answer, law, known ? &known->at(law) : nullptr);
     }
+  if (nodes && laws.knows_nodes() && design.tables.dynamics->node_waves > 0)
+    slide_nodes(design, laws, record, nodes, answer);
   return answer;
 }
 

@@ -134,6 +134,28 @@ std::vector<double> DynamicLaw::times(std::size_t n) const {
   return time;
 }
 
+WaveOnBottom DynamicLaw::on_bottom(double height, const WaveFactors& factors) const {
+  const ImpactWave wave = on_wall(height, factors);
+  const Section section = with_factors(forces_.breakwater().section, factors);
+  WaveOnBottom out;
+  out.step = answer_->step();
+  out.force = sampled(wave);
+  out.force.back() = 0.;  // T/2 is over
+  out.uplift.resize(out.force.size());
+  sample_uplift(wave, assumptions_.uplift, out.step, static_cast<int>(out.force.size()), out.force.data(),
+                out.uplift.data());
+  const auto top = std::max_element(out.force.begin(), out.force.end());
+  for (auto i = out.force.begin(); i != top; ++i) {
+    double& U = out.uplift[static_cast<std::size_t>(i - out.force.begin())];
+    U = std::min(U, wave.uplift * *i / *top);
+  }
+  out.friction = section.friction;
+  out.weight = section.submerged_weight + forces_.still().weight;
+  out.push = forces_.still().push;
+  out.mass_ratio = answer_->caisson_mass() * forces_.breakwater().water.gravity / section.weight;
+  return out;
+}
+
 EffectiveBase DynamicLaw::base_under(const ImpactWave& wave, const std::vector<double>& force, const Section& s) const {
   const double step = answer_->step(), B = s.width;
   const int n = static_cast<int>(force.size());

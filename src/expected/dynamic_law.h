@@ -157,6 +157,14 @@ struct DynamicWave {
   double sliding = 0.;                                    ///< S (m)
 };
 
+/// What such a wave does to the caisson's bottom, for contact node by node.
+struct WaveOnBottom {
+  double step = 0.;                              ///< of the samples, from t = 0 (s)
+  std::vector<double> force, uplift;             ///< P, U (N/m)
+  double friction = 0., weight = 0., push = 0.;  ///< mu; W', and the push of still water at two levels (N/m)
+  double mass_ratio = 1.;                        ///< the model's mass over that of the caisson
+};
+
 /// S by slide() of F_S = F_T(t) + mu U(t), with F_T the reduced model's response to the force of impact_wave(). A
 /// scatter of the weight changes the resistance and the sliding mass, not the model.
 class DynamicLaw : public SlidingLaw {
@@ -170,6 +178,8 @@ class DynamicLaw : public SlidingLaw {
   /// All histories of one wave, also where it does not slide the caisson.
   DynamicWave wave(double height, const WaveFactors& factors = {}) const;
   const WaveForces* forces() const override { return &forces_; }
+  /// U comes with P: until P is largest it is no larger than in phase with it.
+  WaveOnBottom on_bottom(double height, const WaveFactors& factors = {}) const;
   /// At rest and in such a wave: the model's N and M, with U(t) as Goda's triangle and the model's uplift of the
   /// pores, as `respond` computes it. None where the model has no such readings.
   std::optional<WorstBase> base(double height, const WaveFactors& factors = {}) const;

@@ -85,13 +85,6 @@ void add_base(const SeaState& sea, const SlidingLaw& law, double height, const W
   life.base = life.base ? worst_of(*life.base, base) : base;
 }
 
-/// Adds `number` equal waves.
-void add_waves(double number, double distance, double height, Life& life) {
-  life.sliding += number * distance;
-  life.answered += number;
-  life.highest = std::max(life.highest, height);
-}
-
 }  // namespace
 
 /// All values that have been drawn for a wave so far.
@@ -104,8 +97,17 @@ struct LifeSimulation::Storm {
   std::uint32_t life, index;
   SeaState sea;  ///< as drawn
   Drawn drawn;
-  double waves;                            ///< number, a whole one
+  double waves;  ///< number, a whole one
+  const WaveWatch& watch;
   double limit = RayleighHeights::no_cut;  ///< height at which waves break (m)
+
+  /// Adds `number` equal waves.
+  void add_waves(double number, const SlidingLaw& law, double height, const WaveFactors& factors, Life& to) const {
+    to.sliding += number * law.distance(height, factors);
+    to.answered += number;
+    to.highest = std::max(to.highest, height);
+    if (watch) watch(law, {sea, height, factors, 0.}, number);
+  }
 };
 
 LifeSimulation::LifeSimulation(LifeSetup setup) : setup_(std::move(setup)), stream_(setup_.seed) {
@@ -150,7 +152,7 @@ SeaState LifeSimulation::sea_of(std::uint32_t life, std::uint32_t storm) const {
   return sea;
 }
 
-Life LifeSimulation::life(std::uint32_t index) const {
+Life LifeSimulation::life(std::uint32_t index, const WaveWatch& watch) const {
   Life life;
   const Drawn of_life = drawn(Per::life, {index, no_storm, no_wave, 0}, {});
   const auto n =
@@ -158,7 +160,7 @@ Life LifeSimulation::life(std::uint32_t index) const {
           ? static_cast<std::size_t>(setup_.source->number(stream_.uniform({index, no_storm, no_wave, for_storms})))
           : storms_;
   for (std::uint32_t s = 0; s < n; ++s) {
-    Storm storm{index, s, sea_of(index, s), drawn(Per::storm, {index, s, no_wave, 0}, of_life), 0.};
+    Storm storm{index, s, sea_of(index, s), drawn(Per::storm, {index, s, no_wave, 0}, of_life), 0., watch};
     storm.sea.significant_height *= storm.drawn.significant_height;
     storm.sea.period *= storm.drawn.period;
     storm.sea.water_level += storm.drawn.water_level;
@@ -200,7 +202,7 @@ void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, L
     const double unbroken = all.wave * heights.height(share - heights.taken());
     const double height = std::min(unbroken, storm.limit);
     if (unbroken > storm.limit) life.taken += 1.;
-    add_waves(1., law.distance(height, all.factors), height, life);
+    storm.add_waves(1., law, height, all.factors, life);
     if (no_worse(height, all.factors, worst)) continue;
     add_base(storm.sea, law, height, all.factors, life, most);
     if (height * all.factors.force > worst.height * worst.factors.force) worst = {storm.sea, height, all.factors, 0.};
@@ -231,11 +233,11 @@ std::optional<double> LifeSimulation::add_sliding_waves(const Storm& storm, cons
     if (height > storm.limit)
       broken += 1.;
     else
-      add_waves(1., law.distance(height, storm.drawn.factors), height, life);
+      storm.add_waves(1., law, height, storm.drawn.factors, life);
     drawn = std::max(drawn, std::min(height, storm.limit));
   }
   life.taken += broken;
-  if (slide && broken > 0.) add_waves(broken, law.distance(storm.limit, storm.drawn.factors), storm.limit, life);
+  if (slide && broken > 0.) storm.add_waves(broken, law, storm.limit, storm.drawn.factors, life);
   return drawn > 0. ? drawn : std::min(highest, storm.limit);
 }
 

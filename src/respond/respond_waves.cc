@@ -240,16 +240,6 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
-/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
-/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads;
-/// in each case until it has answered most and rebounded, which answer_warnings() asks of a run.
-double echo_of(const ReducedModelFile& model) {
-  const double period = longest_period(model.modes);
-  double load = 0.;
-  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
-  return std::clamp(model.end - load, of_rebound * period, 3. * period);
-}
-
 /// What the waves of one file have in common, and their results.
 class FileWork {
  public:
@@ -407,6 +397,13 @@ double longest_period(const ModalModel& modes) {
   for (const std::complex<double>& pole : modes.pole)  // one that decays within a period does not swing on
     if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
   return period;
+}
+
+double echo_of(const ReducedModelFile& model) {
+  const double period = longest_period(model.modes);
+  double load = 0.;
+  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
+  return std::clamp(model.end - load, of_rebound * period, 3. * period);
 }
 
 double whole_answer(const ReducedModelFile& model, const WaveFile& file) {

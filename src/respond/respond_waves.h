@@ -28,6 +28,11 @@ double longest_period(const ModalModel& modes);
 /// When the answer to a file's waves ends where nobody asks for less (s).
 double whole_answer(const ReducedModelFile& model, const WaveFile& file);
 
+/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
+/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads;
+/// in each case until it has answered most and rebounded, which answer_warnings() asks of a run.
+double echo_of(const ReducedModelFile& model);
+
 /// Computes all waves on all cores; the numbers do not depend on how many. Throws InputError where the model has no
 /// caisson, or where the results would not fit into memory; std::out_of_range where it lacks a reading.
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,

@@ -102,6 +102,8 @@ LoadsOfWave WaveContacts::loads_of(const WaveFile& file, int wave, double end) c
     if (force > largest) out.arm = contact_.on_caisson(k, 1);
     largest = std::max(largest, force);
   }
+  out.interface = interface_;
+  out.uplift = uplift_of(out);
   return out;
 }
 
@@ -166,7 +168,7 @@ TimeGrid WaveContacts::steps_of(const LoadsOfWave& loads) const {
   step *= contact_step;
   if (contact_.step > 0.) step = std::min(step, contact_.step);
   std::vector<double> kinks = loads.P.kinks();
-  for (const UpliftLoad& load : uplift_of(loads))
+  for (const UpliftLoad& load : loads.uplift)
     kinks.insert(kinks.end(), load.pressure.kinks().begin(), load.pressure.kinks().end());
   for (const TimeFunction& history : loads.history)
     kinks.insert(kinks.end(), history.kinks().begin(), history.kinks().end());
@@ -180,11 +182,11 @@ WaveContacts::Marched WaveContacts::march_level(std::size_t number, const LoadsO
   const MarchedGround& from = ground(number);
   const GroundLevel& level = contact_.levels[number];
   System system = from.system;
-  system.interface = interface_;
+  system.interface = loads.interface;
   for (std::size_t k = 0; k < system.loads.size(); ++k) system.loads[k].history = loads.history[k];
-  for (const UpliftLoad& uplift : uplift_of(loads)) {
+  for (const UpliftLoad& uplift : loads.uplift) {
     SystemLoad apart{"sliding.uplift", Vector::Zero(system.size()), uplift.pressure};
-    apart.vector.tail(interface_.n_nodes()) = uplift.node;
+    apart.vector.tail(loads.interface.n_nodes()) = uplift.node;
     system.loads.push_back(std::move(apart));
   }
   if (room.stages.size() <= number) room.stages.resize(number + 1);
@@ -236,12 +238,14 @@ void WaveContacts::march_wave(const LoadsOfWave& loads, WaveResponse& out) const
     }
     const bool met = before && meets(error, now.contact, contact_.tolerance);
     before = std::move(now);
+    if (i > 0) {
+      out.contact->solved = before->contact;
+      out.contact->solved->ground = error;
+    }
     if (!met) continue;
     const Eigen::RowVectorXd F = before->series.reading.row(shear);
     const Extremum landward = peak(before->series.time, F, loads.P, 1);
     out.response = PeaksOfShear{landward.value, landward.time, peak(before->series.time, F, loads.P, -1).value};
-    out.contact->solved = before->contact;
-    out.contact->solved->ground = error;
     break;
   }
   if (!out.response) out.why_not_contact = why_ground_misses(error);
@@ -250,20 +254,27 @@ void WaveContacts::march_wave(const LoadsOfWave& loads, WaveResponse& out) const
 }
 
 void WaveContacts::answer(const WaveFile& file, int wave, double end, const WaveSamples& loads, const WaveGrid& grid,
+                          const ReadingsAt* at, WaveResponse& out) const {
+  answer(loads_of(file, wave, end), loads, grid, at, out);
+  if (!out.why_not_contact.empty() && out.contact) out.contact->solved.reset();
+}
+
+void WaveContacts::answer(const LoadsOfWave& functions, const WaveSamples& loads, const WaveGrid& grid,
                           const ReadingsAt* at, WaveResponse& out) const try {
-  const LoadsOfWave functions = loads_of(file, wave, end);
+  const Interface& interface = functions.interface;
   const std::vector<std::size_t> looks = looks_of(functions.scene, grid.time);
   Series forces;
   for (const std::size_t i : looks) forces.time.push_back(grid.time[i]);
   forces.reading = at != nullptr ? at->of(loads, looks) : respond_at(contact_.demand, with_jumps(loads, grid), looks);
   out.contact = ContactSummary{
-      interface_.friction, interface_.normal_force.sum(), interface_.n_nodes(), {0., 1., contact_.margin, false}, {}};
-  look_at_demand(interface_, uplift_of(functions), forces, out.contact->demand);
+      interface.friction, interface.normal_force.sum(), interface.n_nodes(), {0., 1., contact_.margin, false}, {}};
+  look_at_demand(interface, functions.uplift, forces, out.contact->demand);
   if (out.contact->demand.reached)
     march_wave(functions, out);
   else
     out.response = PeaksOfShear{out.peak_shear, out.peak_shear_time, out.peak_shear_seaward};
 } catch (const NumericsError& error) {
+  if (out.contact) out.contact->solved.reset();
   out.why_not_contact = error.what();
 }
 

@@ -27,6 +27,8 @@ struct LoadsOfWave {
   Scene scene;      ///< with these loads, and the end: what chooses steps
   TimeFunction P;   ///< horizontal force on the caisson (N/m)
   double arm = 0.;  ///< of the largest of these, above the centre of gravity (m)
+  Interface interface;
+  std::vector<UpliftLoad> uplift;
 };
 
 /// Contact node by node under one law of friction; const, and safe to share between threads.
@@ -40,13 +42,17 @@ class WaveContacts {
   /// grid; `batch`: of equal steps, and ends at zero.
   void answer(const WaveFile& file, int wave, double end, const WaveSamples& loads, const WaveGrid& grid,
               const ReadingsAt* at, WaveResponse& out) const;
+  /// The same of loads that may have an interface and an uplift of their own. Where no model of the ground meets the
+  /// tolerance, out.contact has what the largest says, and its error.
+  void answer(const LoadsOfWave& functions, const WaveSamples& loads, const WaveGrid& grid, const ReadingsAt* at,
+              WaveResponse& out) const;
+  LoadsOfWave loads_of(const WaveFile& file, int wave, double end) const;
   const ModalModel& demand() const { return contact_.demand; }
 
  private:
   struct Marched;
   struct Room;
 
-  LoadsOfWave loads_of(const WaveFile& file, int wave, double end) const;
   std::vector<UpliftLoad> uplift_of(const LoadsOfWave& loads) const;
   double apparent_period(double s, double arm) const;
   TimeGrid steps_of(const LoadsOfWave& loads) const;

@@ -48,7 +48,8 @@ class Page(unittest.TestCase):
         cls.folder = Path(cls.temporary.name)
         cls.model = made.reduced("fig2b-prototype.toml", cls.folder / "one", COARSE)
         cls.two = made.reduced("fig2b-prototype.toml", cls.folder / "two", COARSE, "loads.slow.factor=1")
-        cls.pages = {"one": upbead.page(cls.model), "two": upbead.page(cls.two)}
+        contact = made.reduced("fig2b-prototype.toml", cls.folder / "contact", COARSE, 'regions.caisson.interface.kind="friction"')
+        cls.pages = {"one": upbead.page(cls.model), "two": upbead.page(cls.two), "contact": upbead.page(contact)}
         cls.browser = Browser(pdf.browser(), pdf.options)
 
     @classmethod
@@ -144,6 +145,12 @@ class Page(unittest.TestCase):
             self.assertEqual("The base lifts (the seaward edge" in self.browser.value(notes), lifts, peak)
             self.assertEqual(self.call(NUMBER, "base_lifts") is not None, lifts)
             self.assertIn("made for pe by Goda", self.browser.value(notes))
+
+    def test_it_names_who_slides_a_bottom_node_by_node(self):
+        for name, knows in (("one", False), ("contact", True)):
+            self.show(name)
+            told = self.browser.value("document.querySelector('.notes').textContent")
+            self.assertEqual("upbead respond answers slip and lift node by node" in told, knows, name)
 
     def test_a_record(self):
         text = "zeit (ms);F (kN/m)\n13,5;0\n80;2500,5\n95;1000\n300;0\n"

@@ -105,6 +105,9 @@ struct Life {
   std::vector<DrawnWave> worst_of_storms;
 };
 
+/// Sees each wave of a life whose S was computed: by which law, how many equal ones.
+using WaveWatch = std::function<void(const SlidingLaw& law, const DrawnWave& wave, double number)>;
+
 /// A life repeats the record, the last time with a part of its waves, or takes its storms from a source. In a record, a
 /// storm is one sea state of one repetition. Each random number depends only on its life, storm and wave: lives can be
 /// simulated in any order, by any number of threads.
@@ -120,7 +123,7 @@ class LifeSimulation {
   /// has more than 4e9 waves.
   explicit LifeSimulation(LifeSetup setup);
   /// May be called for different lives by different threads at the same time.
-  Life life(std::uint32_t index) const;
+  Life life(std::uint32_t index, const WaveWatch& watch = nullptr) const;
   /// Number of storms, the same in every life; 0 with a source, where each life has its own number.
   std::size_t storms() const { return storms_; }
 

@@ -39,6 +39,7 @@ def model_data(path):
             "sliding": sliding_of(file),
             "base": base_of(file, model),
             "slips": "slip" in file,
+            "contact": "contact" in file,
             "limits": {key: value for key, value in case_in(file).get("limits", {}).items() if isinstance(value, (int, float))},
             "wave": case_wave(case_in(file), names),
             "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),

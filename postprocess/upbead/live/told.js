@@ -70,6 +70,7 @@ export function notesOf(model, answer, sliding) {
   if (!sliding) return model.mass > 0 ? ["S and what presses on the base are told where friction and W′ are given."] : [];
   if (answer.S !== 0)
     notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slides as a rigid block on the moving ground." : ""));
+  if (model.contact) notes.push("The page slides the caisson as a whole, and its bottom cannot lift: upbead respond answers slip and lift node by node by this model, upbead expected S of whole lives.");
   if (answer.worst) {
     notes.push("Heel and toe pressure in motion vary linearly over the width in contact and grow without bound as the resultant comes to the edge. " +
       "limits.base_pressure, 400 to 600 kPa, was made for p_e by Goda's formulas, not for them.");
