@@ -180,7 +180,7 @@ void check_dynamics(const DesignTables& tables, const Document& document, Diagno
   if (!report.sound("dynamics")) return;
   if (tables.dynamics && sound_section(report))
     check_model("dynamics", *tables.dynamics, tables.section, tables.water, document, report);
-  constexpr int least_nodes = 10;
+  constexpr int least_nodes = 40;
   if (tables.dynamics && tables.dynamics->node_waves > 0 && tables.dynamics->node_waves < least_nodes)
     report.add(document.place("dynamics.node_waves"),
                "node_waves = " + std::to_string(tables.dynamics->node_waves) + " are too few to tell their error",

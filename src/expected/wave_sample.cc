@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "base/progress.h"
 
@@ -23,8 +24,8 @@ class LooseLaw : public SlidingLaw {
   }
   double threshold(const WaveFactors& factors) const override { return law_->threshold(loose(factors)); }
 
-  static WaveFactors loose(WaveFactors factors) {
-    factors.friction *= WaveSample::loose_friction;
+  static WaveFactors loose(WaveFactors factors, double share = WaveSample::loose_friction) {
+    factors.friction *= share;
     return factors;
   }
 
@@ -32,7 +33,7 @@ class LooseLaw : public SlidingLaw {
   std::unique_ptr<const SlidingLaw> law_;
 };
 
-/// By what a wave is drawn: S, S under the loose friction, and 1.
+/// By what a wave is drawn: S, S under the loose friction and under that between, and 1.
 using Measures = std::array<double, WaveSample::ways>;
 
 /// Sums over a life, and its waves without those that are equal.
@@ -64,8 +65,9 @@ void each_wave(const LifeSimulation& lives, std::size_t life, const See& see) {
   lives.life(static_cast<std::uint32_t>(life), [&see](const SlidingLaw& law, const DrawnWave& wave, double number) {
     const double loose = law.distance(wave.height, LooseLaw::loose(wave.factors));
     if (!(loose > 0.)) return;
-    const double block = law.distance(wave.height, wave.factors);
-    see(Met{{wave, block}, {block, loose, 1.}, number, 0});
+    const double block = law.distance(wave.height, wave.factors),
+                 less = law.distance(wave.height, LooseLaw::loose(wave.factors, WaveSample::between));
+    see(Met{{wave, block}, {block, loose, less, 1.}, number, 0});
   });
 }
 
@@ -161,8 +163,10 @@ WaveSample sample_waves(LifeSetup setup, int lives, int most) {
   sample.block = total.sum[0];
   sample.lives = error_of_lives(slid, sample.block > 0. ? 0 : 1);
   sample.is_whole = total.waves <= most;
-  std::array<int, WaveSample::ways> n{sample.block > 0. ? most / 2 : 0, most / 4, 0};
-  n[2] = most - n[0] - n[1];
+  std::array<int, WaveSample::ways> n{};
+  for (std::size_t w = 0; w + 1 < n.size(); ++w)
+    if (total.sum[w] > 0.) n[w] = (w == 0 ? 2 : 1) * most / 5;
+  n.back() = most - std::accumulate(n.begin(), n.end() - 1, 0);
   std::vector<std::vector<Point>> points(slid.size());
   const Stream stream(setup.seed);
   for (std::size_t w = 0; w < n.size() && !sample.is_whole; ++w) deal_points(slid, w, stream, n[w], points);

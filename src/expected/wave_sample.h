@@ -31,8 +31,8 @@ struct WaveDraw {
 
 /// Waves of all waves of lives that slide the caisson by the cheap law under `loose_friction` times their friction.
 struct WaveSample {
-  static constexpr double loose_friction = 0.7;
-  static constexpr std::size_t ways = 3;  ///< to draw a wave
+  static constexpr double loose_friction = 0.7, between = 0.85;
+  static constexpr std::size_t ways = 4;  ///< to draw a wave
 
   std::vector<SampledWave> waves;
   std::vector<WaveDraw> draws;
@@ -41,10 +41,10 @@ struct WaveSample {
   bool is_whole = true;  ///< all waves were taken
 };
 
-/// Draws half of the waves with a probability proportional to S, and so that those which only the dear measure slides
-/// are met, a quarter by S under the loose friction and a quarter all alike; waves that do not slide under it are taken
-/// not to slide. `most`: number of draws, at least 10; where there are no more waves than that, all are taken. The
-/// draws depend on the seed alone.
+/// Draws two fifths of the waves with a probability proportional to S and, so that those which only the dear measure
+/// slides are met, a fifth each by S under the loose friction, by S under one between, and all alike; waves that do not
+/// slide under the loose friction are taken not to slide. `most`: number of draws; where there are no more waves than
+/// that, all are taken. The draws depend on the seed alone.
 WaveSample sample_waves(LifeSetup setup, int lives, int most);
 
 /// The sum of S over all waves of the lives, by the dear measure (m).

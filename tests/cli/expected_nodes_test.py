@@ -79,7 +79,7 @@ class ExpectedNodes(ProgramTest):
         self.model(stiff_section())
         uncertain = ["scatter.weight.cov=0.08", "scatter.friction.cov=0.1", "scatter.uplift.cov=0.3", "scatter.uplift.low=0.1"]
         for keys in ([], uncertain):
-            found = self.lives('impact.uplift="in_phase"', "dynamics.node_waves=30", *keys, waves=600)
+            found = self.lives('impact.uplift="in_phase"', "dynamics.node_waves=40", *keys, waves=600)
             self.assertGreater(found["nodes"]["block"], 1e-2)
             self.assertAlmostEqual(found["nodes"]["ratio"], 1, delta=2e-3)
             self.assertNotIn("nodes_slide_farther", self.names(found))
