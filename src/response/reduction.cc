@@ -158,11 +158,9 @@ std::string told_of_others(const Reduction& reduction) {
 
 void require_converged(const Reduction& reduction) {
   if (reduction.converged) return;
-  throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_solves) + " solves: " +
-                      (reduction.history.empty()
-                           ? std::string("there is no smaller one to compare it with")
-                           : "F_T is uncertain by " + percent(reduction.error.history) + " of its peak, where " +
-                                 percent(reduction.tolerance) + " are asked for" + told_of_others(reduction)));
+  throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_solves) +
+                      " solves: F_T is uncertain by " + percent(reduction.error.history) + " of its peak, where " +
+                      percent(reduction.tolerance) + " are asked for" + told_of_others(reduction));
 }
 
 void require_shear_converged(const Reduction& reduction) {
