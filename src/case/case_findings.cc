@@ -233,19 +233,20 @@ NumberedWarnings warnings_of_other_uplift(const Case& input) {
 std::vector<Action> actions_on(const Case& input, const Simulation& simulation) {
   constexpr double share = 0.01;
   const CompiledScene& compiled = *simulation.compiled();
+  std::vector<Action> list = actions_of(input);
+  double end = simulation.given().time.end, largest = 0.;
+  for (const Action& action : list)
+    if (!action.time.empty()) end = std::max(end, action.time.back());
   std::map<std::string, double> force;
-  double largest = 0.;
   for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
     const SystemLoad& load = compiled.system.loads[k];
-    const double most =
-        std::max(extremum(load.history, 0., infinity, 1).value, -extremum(load.history, 0., infinity, -1).value);
+    const double most = std::max(extremum(load.history, 0., end, 1).value, -extremum(load.history, 0., end, -1).value);
     const double of_load =
         most * std::hypot(compiled.loads_on_caisson[k].force_x, compiled.loads_on_caisson[k].force_y);
     largest = std::max(largest, of_load);
     for (const auto& [name, source] : input.sources)
       if (source->made.count(load.name) > 0) force[source->title] += of_load;
   }
-  std::vector<Action> list = actions_of(input);
   for (Action& action : list)
     if (const double own = force[action.name]; own > 0. && own < share * largest) action.trifling = true;
   return list;

@@ -80,7 +80,9 @@ TEST(Records, ALoadThatStopsWhereTheRunGoesOnIsCut) {
     record.end = end;
     const NumberedWarnings list = record_warnings(record);
     EXPECT_EQ(names(list), cut ? Names{"record_cut"} : Names()) << end;
-    if (cut) EXPECT_TRUE(list[0].voids);
+    if (cut) {
+      EXPECT_TRUE(list[0].voids);
+    }
   }
   EXPECT_EQ(names(record_warnings(sampled(rise))), Names()) << "of no run";
   Record falls = sampled([](double t) { return smooth(t, 0.5); }, 0.4705);

@@ -125,7 +125,8 @@ TEST_F(WaveFiles, RecordsAreLookedAtAsThoseOfARun) {
               std::to_string(std::min(most, std::max(0., std::sin(3. * (from + 0.005 * i - 0.2))))) + "\n";
     write("w.csv", rows);
     std::vector<std::string> names;
-    for (const NumberedWarning& warning : read_wave_files({"w.csv"}, two_loads, {}, 4.).front().notes.warnings)
+    const WaveFile file = read_wave_files({"w.csv"}, two_loads, {}, 4.).front();
+    for (const NumberedWarning& warning : file.notes.warnings)
       if (warning.voids) names.push_back(warning.name);
     return names;
   };
