@@ -245,7 +245,7 @@ std::vector<Action> actions_on(const Case& input, const Simulation& simulation) 
         most * std::hypot(compiled.loads_on_caisson[k].force_x, compiled.loads_on_caisson[k].force_y);
     largest = std::max(largest, of_load);
     for (const auto& [name, source] : input.sources)
-      if (source->made.count(load.name) > 0) force[source->title] += of_load;
+      if (load.name == name || load.name.rfind(name + ".", 0) == 0) force[source->title] += of_load;
   }
   for (Action& action : list)
     if (const double own = force[action.name]; own > 0. && own < share * largest) action.trifling = true;

@@ -70,13 +70,16 @@ class Losses {
     return 5 * equal >= 4 * (n_ - 1);
   }
 
+  double usual_before(std::size_t i) const { return usual_step(i > beside ? i - beside : 1, i); }
+  double usual_after(std::size_t i) const { return usual_step(i + 1, std::min(i + 1 + beside, n_)); }
+
   /// A step is long beside those on both sides of it: those of CFD programs grow and shrink. Near an end of the record
   /// one side has too few.
   double usual_around(std::size_t i) const {
-    const double before = usual_step(i > beside ? i - beside : 1, i),
-                 after = usual_step(i + 1, std::min(i + 1 + beside, n_));
-    return std::isfinite(before) && std::isfinite(after) ? std::max(before, after) : std::min(before, after);
+    const double before = usual_before(i), after = usual_after(i);
+    return is_near_end(i) ? std::min(before, after) : std::max(before, after);
   }
+  bool is_near_end(std::size_t i) const { return std::isinf(usual_before(i)) || std::isinf(usual_after(i)); }
 
   /// Whether it is long beside the next step on either side: most are not, and are judged quickly.
   bool may_be_gap(std::size_t i) const {
@@ -84,14 +87,16 @@ class Losses {
     return step(i) > many_steps * std::min(before, after);
   }
 
-  /// What lies at rest on both sides may be left out by a person, unless it is noise.
+  /// What lies at rest on both sides may be left out by a person, unless it is noise; a lone last row is no noise.
   void add_gap(NumberedWarnings& list) const {
     std::size_t worst = 0, number = 0;
     const auto off = [&](std::size_t i) {
       return std::max(std::abs(value_[i - 1] - rest_), std::abs(value_[i] - rest_)) > off_rest * peak_;
     };
     for (std::size_t i = 1; i < n_; ++i) {
-      if (!may_be_gap(i) || !(step(i) > many_steps * usual_around(i)) || !(off(i) || change(i) > 0.)) continue;
+      if (!may_be_gap(i) || !(step(i) > many_steps * usual_around(i)) ||
+          !(off(i) || (change(i) > 0. && !is_near_end(i))))
+        continue;
       ++number;
       if (worst == 0 || off(i) > off(worst) || (off(i) == off(worst) && step(i) > step(worst))) worst = i;
     }

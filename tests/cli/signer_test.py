@@ -264,8 +264,8 @@ end = 0.8
 
     def test_nodes_that_slip_on_under_loads_that_go_on_are_not_judged(self):
         nodes = ("regions.caisson.interface={ kind = \"friction\" }", "initial.water_level=15", "limits.sliding=0.1",
-                 "loads.held={ boundary = \"front\", kind = \"force\", pulse = { shape = \"step\", peak = 0.6e6, duration = 0.5 } }",
-                 "loads.impulse.pulse={ shape = \"harmonic\", peak = 1.5e6, period = 2 }", "time.end=6")
+                 "loads.held={ boundary = \"front\", kind = \"force\", pulse = { shape = \"step\", peak = 0.6e6 } }",
+                 "loads.impulse.pulse={ shape = \"harmonic\", peak = 1.5e6, frequency = 0.5 }", "time.end=6")
         found = self.ask("run", *nodes)
         self.assertNotEqual(found["contact"]["solved"]["slip"], 0)
         self.assertIn("still slipped", found["sliding"]["design"]["why_not_all"])

@@ -187,6 +187,20 @@ Record dropped(Record record, double from, double to, std::optional<double> valu
   return record;
 }
 
+TEST(Records, RowsThatAreMissingBesideAnEndAreTold) {
+  const Record whole = sampled([](double t) { return 1e6 * std::exp(-3. * t) * std::sin(8. * t); });
+  for (const double left : {0.0025, 0.0035}) {
+    const NumberedWarnings list = record_warnings(without(whole, left, left + 0.058));
+    ASSERT_FALSE(list.empty()) << left;
+    EXPECT_EQ(list.back().name, "record_gap");
+    EXPECT_TRUE(list.back().voids);
+  }
+  Record last = sampled(pulse);
+  last.time.push_back(2.);
+  last.value.push_back(1e3);
+  EXPECT_EQ(names(record_warnings(last)), Names()) << "a last row at rest";
+}
+
 TEST(Records, ALostSignalIsTold) {
   const NumberedWarnings list = record_warnings(dropped(sampled(pulse), 0.28, 0.4005, 0.));
   ASSERT_EQ(names(list), Names{"record_dropout"});

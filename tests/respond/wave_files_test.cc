@@ -133,7 +133,7 @@ TEST_F(WaveFiles, RecordsAreLookedAtAsThoseOfARun) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(told(0., 1.3, 2.), Names());
   EXPECT_EQ(told(0.7, 1.3, 2.), Names{"record_begun"});
-  EXPECT_EQ(told(0., 1.3, 0.7), Names{"record_saturated"});
+  EXPECT_EQ(told(0., 1.3, 0.9), Names{"record_saturated"});
   EXPECT_EQ(told(0., 0.72, 2.), Names{"record_cut"});
 }
 
