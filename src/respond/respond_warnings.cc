@@ -288,7 +288,7 @@ NumberedWarnings cut_warnings(const ReducedModelFile& model, const std::vector<W
       actions.push_back(action_of(file.name, "a later time", file.time, {{value.begin(), value.end()}}));
     }
     append(all, end_warnings(actions, end, "--end"));
-    append(all, answer_warnings(actions, end, of_rebound / rebound * longest_period(model.modes), "--end"));
+    append(all, answer_warnings(actions, end, of_rebound / rebound * swing_period_of(model.modes), "--end"));
   }
   return first_of_each(all, "more of the waves and loads, too");
 }

@@ -240,6 +240,25 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
+<<<<<<< HEAD
+=======
+/// One that decays within a period does not.
+bool swings_on(const std::complex<double>& pole) {
+  return std::abs(pole.real()) < std::abs(pole.imag());
+}
+
+/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
+/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads;
+/// in each case until it has answered most and rebounded, which answer_warnings() asks of a run.
+double echo_of(const ReducedModelFile& model) {
+  double period = 0., load = 0.;
+  for (const std::complex<double>& pole : model.modes.pole)
+    if (swings_on(pole)) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
+  return std::clamp(model.end - load, of_rebound * swing_period_of(model.modes), 3. * period);
+}
+
+>>>>>>> dc807d10 (The rebound of a wave is that of the mode that makes most of F_T, as slow modes of the ground have none)
 /// What the waves of one file have in common, and their results.
 class FileWork {
  public:
@@ -392,10 +411,15 @@ void require_caisson(const ModalModel& modes) {
 
 }  // namespace
 
-double longest_period(const ModalModel& modes) {
-  double period = 0.;
-  for (const std::complex<double>& pole : modes.pole)  // one that decays within a period does not swing on
-    if (std::abs(pole.real()) < std::abs(pole.imag())) period = std::max(period, 2. * pi / std::abs(pole.imag()));
+double swing_period_of(const ModalModel& modes) {
+  const Eigen::RowVectorXcd shear = modes.reading.row(modes.index(reading::shear_force));
+  double period = 0., most = 0.;
+  for (Eigen::Index m = 0; m < modes.pole.size(); ++m) {
+    const double part = std::abs(shear[m] / modes.pole[m]) * modes.load.row(m).cwiseAbs().maxCoeff();
+    if (!swings_on(modes.pole[m]) || part <= most) continue;
+    most = part;
+    period = 2. * pi / std::abs(modes.pole[m].imag());
+  }
   return period;
 }
 

@@ -22,8 +22,8 @@ struct RespondOptions {
 /// Of a period after a short pulse, when the section has rebounded (Chopra, Dynamics of Structures, ch. 4).
 constexpr double of_rebound = 0.75;
 
-/// The longest period with which a section swings on (s).
-double longest_period(const ModalModel& modes);
+/// The period of the mode that makes most of F_T under a load that lasts (s): with it the caisson swings.
+double swing_period_of(const ModalModel& modes);
 
 /// When the answer to a file's waves ends where nobody asks for less (s).
 double whole_answer(const ReducedModelFile& model, const WaveFile& file);

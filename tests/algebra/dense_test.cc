@@ -7,6 +7,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "algebra/dense_factors.h"
+
 namespace dense_test {
 
 using namespace upbead;
@@ -37,6 +39,22 @@ TEST(Dense, SolutionsGiveTheRightHandSideBack) {
 
 TEST(Dense, ASingularMatrixGivesNoNumbers) {
   EXPECT_TRUE(std::isnan(solve_dense(Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Ones(3, 1))(0, 0)));
+}
+
+TEST(Dense, FactorsSolveOftenAndTellNothingOfASingularMatrix) {
+  const Eigen::MatrixXd A = sample(40, 40) + 8. * Eigen::MatrixXd::Identity(40, 40), B = sample(40, 3);
+  DenseFactors factors;
+  factors.compute(A);
+  for (Eigen::Index j = 0; j < B.cols(); ++j)
+    EXPECT_LT((A * factors.solve(B.col(j)) - B.col(j)).norm(), 1e-13 * B.norm());
+  factors.compute(Eigen::MatrixXd::Zero(3, 3));
+  EXPECT_FALSE(factors.solve(Eigen::VectorXd::Ones(3)).allFinite());
+}
+
+TEST(Dense, ASymmetricProductReadsTheLowerHalfAlone) {
+  const Eigen::MatrixXd half = sample(40, 40).triangularView<Eigen::Lower>(), x = sample(40, 1);
+  const Eigen::MatrixXd whole = half.selfadjointView<Eigen::Lower>();
+  EXPECT_LT((symmetric_product(half, x.col(0)) - whole * x).norm(), 1e-13 * (whole * x).norm());
 }
 
 }  // namespace dense_test
