@@ -240,25 +240,6 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
-<<<<<<< HEAD
-=======
-/// One that decays within a period does not.
-bool swings_on(const std::complex<double>& pole) {
-  return std::abs(pole.real()) < std::abs(pole.imag());
-}
-
-/// How long the section swings on after a load (s): three of its longest periods, after which a hundredth is left where
-/// it loses a quarter in each, as settled_end() has it, but not longer than the model's case was given after its loads;
-/// in each case until it has answered most and rebounded, which answer_warnings() asks of a run.
-double echo_of(const ReducedModelFile& model) {
-  double period = 0., load = 0.;
-  for (const std::complex<double>& pole : model.modes.pole)
-    if (swings_on(pole)) period = std::max(period, 2. * pi / std::abs(pole.imag()));
-  for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
-  return std::clamp(model.end - load, of_rebound * swing_period_of(model.modes), 3. * period);
-}
-
->>>>>>> dc807d10 (The rebound of a wave is that of the mode that makes most of F_T, as slow modes of the ground have none)
 /// What the waves of one file have in common, and their results.
 class FileWork {
  public:
@@ -409,6 +390,11 @@ void require_caisson(const ModalModel& modes) {
                      "reduce a case with a caisson");
 }
 
+/// One that decays within a period does not.
+bool swings_on(const std::complex<double>& pole) {
+  return std::abs(pole.real()) < std::abs(pole.imag());
+}
+
 }  // namespace
 
 double swing_period_of(const ModalModel& modes) {
@@ -424,10 +410,11 @@ double swing_period_of(const ModalModel& modes) {
 }
 
 double echo_of(const ReducedModelFile& model) {
-  const double period = longest_period(model.modes);
-  double load = 0.;
+  double period = 0., load = 0.;
+  for (const std::complex<double>& pole : model.modes.pole)
+    if (swings_on(pole)) period = std::max(period, 2. * pi / std::abs(pole.imag()));
   for (const ModelLoad& one : model.loads) load = std::max(load, one.duration);
-  return std::clamp(model.end - load, of_rebound * period, 3. * period);
+  return std::clamp(model.end - load, of_rebound * swing_period_of(model.modes), 3. * period);
 }
 
 double whole_answer(const ReducedModelFile& model, const WaveFile& file) {
