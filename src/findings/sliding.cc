@@ -104,6 +104,14 @@ double last_slip(const ContactHistory& history) {
   return 0.;
 }
 
+/// Until when it slips of which S to design by is (s).
+double end_of_slip(const Evidence& e, const SlidingSummary& sliding) {
+  const auto& contact = e.solution.contact;
+  if (contact && contact->found.solved) return contact->history ? last_slip(*contact->history) : 0.;
+  const std::vector<Slip>& slips = sliding.coupled ? sliding.coupled->slip.slips : sliding.history.by_history.slips;
+  return slips.empty() ? 0. : slips.back().stop;
+}
+
 /// Adds whether the caisson comes to rest, and why the distance is not all.
 DesignSliding with_end(const Evidence& e, DesignSliding design, double friction, double stop) {
   design.rests = comes_to_rest(e, design.value, friction);
@@ -135,9 +143,8 @@ std::optional<SlidingSummary> find_sliding(const Evidence& e) {
   sliding->error_estimate = errors.slip;
   sliding->why_no_estimate = errors.why_no_slip;
   if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
-  const std::vector<Slip>& slips = sliding->coupled ? sliding->coupled->slip.slips : sliding->history.by_history.slips;
   sliding->design = with_end(e, design_sliding(*sliding, e.of(find_contact), e.of(find_residual)), sliding->friction,
-                             slips.empty() ? 0. : slips.back().stop);
+                             end_of_slip(e, *sliding));
   return sliding;
 }
 

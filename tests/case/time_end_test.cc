@@ -26,7 +26,7 @@ class TimeEndTest : public InFolder {
     return read_case("case.toml", overrides);
   }
   static NumberedWarnings told(const std::string& load, double end) {
-    return end_warnings(with(load, "end = " + std::to_string(end)), end);
+    return end_warnings(actions_of(with(load, "end = " + std::to_string(end))), end);
   }
   static std::string names(const NumberedWarnings& list) {
     std::string text;
@@ -49,7 +49,7 @@ TEST_F(TimeEndTest, ALoadThatBeginsWithAJumpIsZeroUntilThen) {
 
 TEST_F(TimeEndTest, RecordStartBringsAHistoryForward) {
   const Case input = with("history = \"late.csv\"\nrecord_start = 4.9", "end = 0.6");
-  EXPECT_EQ(names(end_warnings(input, 0.6)), "");
+  EXPECT_EQ(names(end_warnings(actions_of(input), 0.6)), "");
   const TimeFunction& f = input.scene.loads.at("impulse").history;
   EXPECT_NEAR(f(0.2), 2e5, 1.);
   EXPECT_EQ(f(0.05), 0.);
@@ -89,23 +89,23 @@ TEST_F(TimeEndTest, SoItIsOfTransducersUpliftsAndMotions) {
   const std::string text = section_case({{"kind = \"force\"", "kind = \"pressures\""},
                                          {"pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }", row}});
   write("row.toml", text);
-  const NumberedWarnings list = end_warnings(read_case("row.toml", {"time.end=1.5"}), 1.5);
+  const NumberedWarnings list = end_warnings(actions_of(read_case("row.toml", {"time.end=1.5"})), 1.5);
   ASSERT_EQ(names(list), "load_cut ");
   EXPECT_NE(list.front().text().find("comes at 2 s"), std::string::npos) << list.front().text();
-  EXPECT_EQ(names(end_warnings(read_case("row.toml", {"time.end=3"}), 3.)), "");
-  EXPECT_EQ(
-      names(end_warnings(with("pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }\n[sliding]\n"
-                              "submerged_weight = 4e6\nuplift = { kind = \"prescribed\", history = \"late.csv\" }"),
-                         5.05)),
-      "load_cut ");
+  EXPECT_EQ(names(end_warnings(actions_of(read_case("row.toml", {"time.end=3"})), 3.)), "");
+  EXPECT_EQ(names(end_warnings(
+                actions_of(with("pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }\n[sliding]\n"
+                                "submerged_weight = 4e6\nuplift = { kind = \"prescribed\", history = \"late.csv\" }")),
+                5.05)),
+            "load_cut ");
   const std::string base =
       section_case({{"boundary = \"front\"", "boundary = \"base\""},
                     {"kind = \"force\"", "kind = \"acceleration\""},
                     {"pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }", "history = \"quake.csv\""}});
   write("quake.csv", "t (s),a (m/s2)\n0,0\n1,1\n2,0\n3,-1\n4,0\n");
   write("base.toml", base);
-  EXPECT_EQ(names(end_warnings(read_case("base.toml"), 1.5)), "load_cut ");
-  EXPECT_EQ(names(end_warnings(read_case("base.toml"), 4.)), "");
+  EXPECT_EQ(names(end_warnings(actions_of(read_case("base.toml")), 1.5)), "load_cut ");
+  EXPECT_EQ(names(end_warnings(actions_of(read_case("base.toml")), 4.)), "");
 }
 
 TEST_F(TimeEndTest, WithoutOneTheLoadsAndTheirEchoAreCovered) {
@@ -120,7 +120,7 @@ TEST_F(TimeEndTest, WithoutOneTheLoadsAndTheirEchoAreCovered) {
     const double end = simulation_of(input).given().time.end;
     EXPECT_GT(end, over + 0.5);
     EXPECT_LT(end, over + 6.);
-    EXPECT_EQ(names(end_warnings(input, end)), "");
+    EXPECT_EQ(names(end_warnings(actions_of(input), end)), "");
     Case settled = input;
     settle_end(settled);
     EXPECT_EQ(settled.scene.time.end, end) << "the same for the run and for the case that it writes";

@@ -387,7 +387,8 @@ TEST_F(WaveLoadTest, WarnsWhereFormulasDoNotHold) {
   const auto names = [](const Case& problem) {
     std::string text;
     for (const NumberedWarning& warning : wave_of(problem).warnings) text += warning.name + " ";
-    for (const NumberedWarning& warning : end_warnings(problem, problem.scene.time.end)) text += warning.name + " ";
+    for (const NumberedWarning& warning : end_warnings(actions_of(problem), problem.scene.time.end))
+      text += warning.name + " ";
     return text;
   };
   const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }");

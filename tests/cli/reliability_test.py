@@ -65,11 +65,16 @@ class Reliability(ProgramTest):
             ("reliability.variables.goda.mean=0.091", "goda.mean = 0.091 is less than is ever found (0.4; it is a factor"),
             ("reliability.variables.goda.cov=17", "if it was meant in percent, write 0.17"),
             ("reliability.variables.height.high=5", "height.high = 5 is below the mean, 6.5: more than half"),
-            ("reliability.variables.rise={ acts_on = 'water_level', mean = 12, deviation = 0.5 }", "above the crest"),
         ):
             done = self.summary(*QUICK, "--set", setting, "--set", "reliability.methods=['form']")[1]
             self.assertIn("warning: implausible", done.stderr)
             self.assertIn(words, " ".join(done.stderr.split()))
+
+    def test_a_mean_of_the_water_above_the_crest_is_refused(self):
+        rise = "reliability.variables.rise={ acts_on = 'water_level', mean = 12, deviation = 0.5 }"
+        done = upbead("reliability", DESIGN, *QUICK, "--set", rise, cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("above the crest", done.stderr)
 
     def test_a_way_that_fails_for_certain_fails_the_system(self):
         form = ["--set", "reliability.methods=['form']", "--set", "limits.base_pressure=100e3"]

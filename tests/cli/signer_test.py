@@ -34,8 +34,8 @@ DOUBTS = (
     ("regions.seabed.damping={ ratio = 0.05, frequencies = [100, 1000] }", "implausible"),
     ("boundaries.base.displacement=free", "base_free"),
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e8] }", None),
-    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1, 1] }", "base_free"),
-    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", dashpot = [1, 1] }", "base_free"),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1, 1] }", "base_free implausible"),
+    ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", dashpot = [1, 1] }", "base_free implausible"),
     ("boundaries.base={ displacement = \"free\", pressure = \"sealed\", spring = [1e8, 1e2] }", "implausible"),
     ("boundaries.left={ displacement = \"free\", pressure = \"sealed\", dashpot = [5e5, 2e5], spring = [1e6, 1e6] }", None),
     ("boundaries.left={ displacement = \"free\", pressure = \"sealed\", dashpot = [500, 200], spring = [1e6, 1e6] }", "implausible"),
@@ -77,7 +77,7 @@ class Signer(ProgramTest):
         before = self.names()
         for setting, name in DOUBTS + tuple((STRAIN % more, name) for more, name in CURVES):
             with self.subTest(setting):
-                self.assertEqual(self.names(setting) - before, {name} - {None})
+                self.assertEqual(self.names(setting) - before, set((name or "").split()))
 
     def test_an_acceleration_without_a_unit_may_be_in_g(self):
         base = SECTION.split("[loads.impulse]")[0].replace('displacement = "roller"', 'displacement = "level"') + "[time]\nend = 1.5\n" + SLIDING
