@@ -144,7 +144,7 @@ class OfALumpedModel(ProgramTest):
     def test_a_record_that_ends_at_its_peak_holds_nothing(self):
         rows = [(0.002 * i, 1e6 * math.sin(math.pi * max(0, 0.002 * i - 0.1) / 0.4)) for i in range(251)]
         record = 'loads.push={ boundary = "front", kind = "force", direction = [1, 0], history = "record.csv" }'
-        for kept, names_told, void in ((251, [], False), (151, ["load_drops"], True), (140, ["load_drops"], True), (205, ["load_drops"], False)):
+        for kept, names_told, void in ((251, [], False), (151, ["load_drops"], True), (140, ["load_drops"], True), (205, ["load_drops"], True)):
             (self.folder / "record.csv").write_text("time (s),force (N/m)\n" + "".join(f"{t},{f}\n" for t, f in rows[:kept]))
             text = LUMPED[:LUMPED.index("[loads.push]")] + LUMPED[LUMPED.index("[time]"):]
             (self.folder / "case.toml").write_text(text)
