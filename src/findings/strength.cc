@@ -90,7 +90,7 @@ std::vector<std::string> unfailing_soils(const Simulation& simulation) {
 
 NumberedWarnings reduction_warnings(const Simulation& simulation, const std::string& key,
                                     const std::optional<double>& factor, const std::optional<double>& limit) {
-  constexpr double coarse = 1.23;  // largest excess over a finer mesh or a circle that was seen: docs/yielding.md
+  constexpr double coarse = 1.23;  // largest excess over a finer mesh or a circle that was seen
   if (!factor || !limit || *factor < *limit) return {};
   NumberedWarnings list;
   if (const std::vector<std::string> soils = unfailing_soils(simulation); !soils.empty())
