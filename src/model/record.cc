@@ -173,7 +173,8 @@ class Inspection {
   void check_end() {
     const double end = median(value_, n_ - at_ends_, n_), drift = std::abs(end - start_) / peak_;
     const double apart = std::min(beyond(end, 0, at_ends_), beyond(start_, n_ - at_ends_, n_)) / peak_;
-    if (jumps_ && n_ >= least_of_record && drift >= most_drift) return check_cut();
+    const bool is_on = std::abs(value_.back()) > most_at_begin * extent_.size();  // one that began on may be off now
+    if (jumps_ && is_on && n_ >= least_of_record && drift >= most_drift) return check_cut();
     if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // the record is not at rest at both ends
     if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
     if (apart > least_drift && drift < most_drift)
