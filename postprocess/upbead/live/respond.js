@@ -64,14 +64,23 @@ function upliftOfForce({uplift, uplift_per_force, lag}, time, force) {
   });
 }
 
-// How long the section swings on after a load (s), as src/respond/respond_waves.cc has it.
+// How long the section swings on after a load (s), and until its rebound by the mode that makes most of F_T, as
+// src/respond/respond_waves.cc has it.
 function echoOf({modes, loads, end}) {
-  let period = 0;
+  const ofRebound = 0.75, weight = modes.readings.shear_force.weight;
+  let period = 0, swing = 0, most = 0;
   for (let m = 0; m < modes.count; ++m) {
     const re = Math.abs(modes.pole[2 * m]), im = Math.abs(modes.pole[2 * m + 1]);
-    if (re < im) period = Math.max(period, 2 * Math.PI / im);
+    if (re >= im) continue;
+    period = Math.max(period, 2 * Math.PI / im);
+    let load = 0;
+    for (let at = 2 * m * modes.nLoads; at < 2 * (m + 1) * modes.nLoads; at += 2) load = Math.max(load, Math.hypot(modes.load[at], modes.load[at + 1]));
+    const part = Math.hypot(weight[2 * m], weight[2 * m + 1]) / Math.hypot(re, im) * load;
+    if (part <= most) continue;
+    most = part;
+    swing = 2 * Math.PI / im;
   }
-  return Math.min(3 * period, Math.max(0, end - Math.max(...loads.map(({duration}) => duration))));
+  return Math.min(3 * period, Math.max(ofRebound * swing, end - Math.max(...loads.map(({duration}) => duration))));
 }
 
 // Grid and histories of a wave. They stay the same while only friction, W' or the uplift change. mostTimes: about so many
