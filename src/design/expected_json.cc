@@ -241,7 +241,8 @@ OutputSchema<Told> lives_outputs() {
                          .key("seed", &LifeTable::seed, "", "of the draws");
   return OutputSchema<Told>()
       .object("headline", &Told::of_life, headline_outputs(),
-              "the mean S of a life to tell: the larger of formulas and own dynamics, where there are both")
+              "the mean S of a life to tell: the largest of formulas, own dynamics and slip node by node, where they "
+              "are known")
       .keys_of(inner(&Told::design, &Design::tables, &DesignTables::life), asked)
       .key("limit", limit_of, "", "of the heights: breaking, cut or none")
       .keys_of(found, lives_by_law_outputs())
