@@ -283,7 +283,8 @@ TEST_F(Division, SpansTheSpaceOfTheWhole) {
     }
 }
 
-/// Joined directions give the states of the whole by themselves.
+/// Joined directions give the states of the whole by themselves, but for rounding: how BLAS orders the sums of a
+/// product depends on its number of rows, on some processors.
 TEST_F(Division, JoinsTheDirectionsOfAModel) {
   const Joined systems(count_);
   System part = systems.system(rank_, rank_ + 1);
@@ -292,7 +293,8 @@ TEST_F(Division, JoinsTheDirectionsOfAModel) {
   const Eigen::MatrixXd joint = states(found, part, [&](const State& state) { return joined(part, state); });
   found.states->displacements = joined(part, found.states->displacements);
   found.states->phi = joined(part, found.states->phi);
-  EXPECT_EQ(states(found, part, [](const State& state) { return state; }), joint);
+  const Eigen::MatrixXd own = states(found, part, [](const State& state) { return state; });
+  EXPECT_LT((own - joint).cwiseAbs().maxCoeff(), 1e-14 * joint.cwiseAbs().maxCoeff());
 }
 
 /// Spaces about several shifts, joined.
