@@ -66,14 +66,14 @@ std::size_t n_levels(const Case& input) {
   return levels && levels->table() ? levels->table()->size() : 0;
 }
 
-/// Warning levels_not_used: by formulas another level may be worse than that of the run.
 NumberedWarnings warnings_of_levels(const Case& input) {
-  const std::size_t n = n_levels(input);
-  if (n == 0 || acting_waves(input).empty()) return {};
-  return {{"levels_not_used", static_cast<double>(n), 0., "1",
-           "the run and its checks by formulas are at the section's own level of still water, and the file has " +
-               std::to_string(n) + (n == 1 ? " more" : " others") + " in [levels]: one of them may be worse",
-           "judge the formulas at each level by 'upbead waves' or 'upbead sheet'"}};
+  const std::size_t n = acting_waves(input).empty() ? 0 : n_levels(input);
+  return levels_not_used(n,
+                         "the run and its checks by formulas are at the section's own level of still water, and the "
+                         "file has " +
+                             std::to_string(n) + (n == 1 ? " more" : " others") +
+                             " in [levels]: one of them may be worse",
+                         "judge the formulas at each level by 'upbead waves' or 'upbead sheet'");
 }
 
 /// Warning centroid_differs: W' of [section] acts on another line than the weight of the meshed caisson in water, so

@@ -112,6 +112,11 @@ Checks formula_checks(const FormulaAnswer& answer, const Limits& limits) {
   return checks.take();
 }
 
+NumberedWarnings levels_not_used(std::size_t levels, const std::string& told, const std::string& cure) {
+  if (levels == 0) return {};
+  return {{"levels_not_used", static_cast<double>(levels), 0., "1", told, cure}};
+}
+
 NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits) {
   NumberedWarnings list;
   const auto warn = [&](FailureMode mode, FailureMode other_way, const std::optional<double>& given,

@@ -31,6 +31,9 @@ struct FormulaAnswer {
 /// Sliding, overturning and p_e, landward and seaward. A safety factor has the limit 1 where [limits] gives none.
 Checks formula_checks(const FormulaAnswer& answer, const Limits& limits);
 
+/// Warning levels_not_used: what is told is not of these levels of [levels], one of which may be worse.
+NumberedWarnings levels_not_used(std::size_t levels, const std::string& told, const std::string& cure);
+
 /// Warns of the least factor of a kind that is above 1 and below 1.2, where [limits] asks for none.
 NumberedWarnings factor_warnings(const Checks& checks, const Limits& limits);
 

@@ -316,7 +316,7 @@ void add_below_goda(const Design& design, const ExpectedAnswer& answer, Numbered
 }
 
 /// Warns of levels of [levels] that no sea of the design has.
-void add_levels(const DesignTables& tables, const std::vector<StateAnswer>& states, NumberedWarnings& list) {
+NumberedWarnings warnings_of_levels(const DesignTables& tables, const std::vector<StateAnswer>& states) {
   double low = 0., high = 0.;
   if (tables.storms) {
     low = std::min(low, tables.storms->tide_low);
@@ -329,11 +329,10 @@ void add_levels(const DesignTables& tables, const std::vector<StateAnswer>& stat
   std::vector<std::string> names;
   for (const auto& [name, rise] : tables.levels)
     if (rise < low || rise > high) names.push_back(name);
-  if (names.empty()) return;
-  list.push_back({"levels_not_used", static_cast<double>(names.size()), 0., "1",
-                  "distances and lives are those of seas from " + significant(low) + " to " + significant(high) +
-                      " m above the still water of [section], not at " + join(names) + " of [levels]",
-                  "give sea states a water_level, or [storms] tide_low and tide_high"});
+  return levels_not_used(names.size(),
+                         "distances and lives are those of seas from " + significant(low) + " to " + significant(high) +
+                             " m above the still water of [section], not at " + join(names) + " of [levels]",
+                         "give sea states a water_level, or [storms] tide_low and tide_high");
 }
 
 }  // namespace
@@ -416,7 +415,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   add_unused(design, list);
   if (answer.model) append(list, answer.model->warnings);
   append(list, factor_warnings(checks_of(design, answer), design.tables.limits));
-  add_levels(design.tables, answer.states, list);
+  append(list, warnings_of_levels(design.tables, answer.states));
   const Limits& limits = design.tables.limits;
   if (design.tables.sea) {
     add_impossible_seas(answer.states, list);

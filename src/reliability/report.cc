@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "case/formula_checks.h"
 #include "case/formula_wave.h"
 #include "output/output_text.h"
 #include "reliability/answer.h"
@@ -96,13 +97,11 @@ NumberedWarnings left_out(const ReliabilityAnswer& answer) {
 
 /// Variables act at one level of still water.
 NumberedWarnings one_level(const DesignTables& tables) {
-  if (tables.levels.empty()) return {};
   std::vector<std::string> names;
   for (const auto& [name, rise] : tables.levels) names.push_back(name);
-  return {{"levels_not_used", static_cast<double>(names.size()), 0., "1",
-           "probabilities are those at the still water of [section], not at " + join(names) + " of [levels]",
-           "let a variable act on the factor water_level, or give [section] at the level that is worst in `upbead "
-           "waves`"}};
+  return levels_not_used(
+      names.size(), "probabilities are those at the still water of [section], not at " + join(names) + " of [levels]",
+      "let a variable act on the factor water_level, or give [section] at the level that is worst in `upbead waves`");
 }
 
 /// Of the wave whose numbers are random, as `upbead waves` tells them.
