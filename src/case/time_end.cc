@@ -120,30 +120,6 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end, con
           rest.share < 1. - over};
 }
 
-/// The last value of a record that ends before the run and drops to zero there, over its largest.
-double drop_of(const Action& action, double end) {
-  const std::size_t n = action.value.size();
-  const bool is_record = action.begins_by == "record_start";
-  if (!is_record || action.swings || n < 2 || !(action.time.back() < end * (1. - 1e-9))) return 0.;
-  const double largest = largest_of(action);
-  return largest > 0. ? std::abs(action.value[n - 2] - action.value[n - 1]) / largest : 0.;
-}
-
-constexpr double lasts = 0.5, at_peak = 0.9;  ///< of the largest value
-
-NumberedWarning dropped_load(const Action& action, double drop) {
-  return {
-      "load_drops",
-      drop,
-      lasts,
-      "1",
-      "the record of '" + action.name + "' ends at " + significant(action.time.back(), 4) + " s with " +
-          significant(100. * drop, 3) + " % of its largest value, and the load drops to zero there at once: " +
-          (drop >= at_peak ? "its largest value may not have come, and its fall is not felt" : "it is cut, or stays"),
-      "give the whole record; let one that stays go on until time.end, and one that falls end with a row of zero",
-      drop >= at_peak};
-}
-
 }  // namespace
 
 Action action_of(const std::string& name, const std::string& cut, const std::string& begins_by, const TimeFunction& f,
@@ -201,7 +177,6 @@ NumberedWarnings end_warnings(const std::vector<Action>& actions, double end, co
       list.push_back(zero_load(action, from, end, key));
     else if (!action.swings && !action.trifling && rest.change > tolerable_cut)
       list.push_back(cut_load(action, rest, end, key));
-    if (const double drop = drop_of(action, end); drop >= lasts) list.push_back(dropped_load(action, drop));
   }
   return list;
 }

@@ -49,6 +49,14 @@ Gauges sizes_of(const Gauges& gauges) {
   return sizes;
 }
 
+/// Of all pressures together, over time.
+std::vector<double> sum_of_sizes(const Gauges& gauges) {
+  std::vector<double> sum(gauges.time.size(), 0.);
+  for (const std::vector<double>& pressure : gauges.pressure)
+    for (std::size_t t = 0; t < sum.size(); ++t) sum[t] += std::abs(pressure[t]);
+  return sum;
+}
+
 Gauges every_other(const Gauges& gauges) {
   Gauges fewer = gauges;
   fewer.name.clear();
@@ -133,6 +141,7 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   for (std::size_t i = 0; i < gauges.count(); ++i)
     records.push_back({gauges.place[i], {name + "." + gauges.name[i], gauges.time, gauges.pressure[i], end}});
   for (const RecordAtHeight& at : records) append(list, record_warnings(at.record));
+  append(list, drop_warnings({name, gauges.time, sum_of_sizes(gauges), end}, list));
   join("record_too_coarse", "are sampled too coarsely", list);
   join("record_gap", "have it, too", list);
   join("record_dropout", "lost it, too", list);

@@ -316,6 +316,21 @@ NumberedWarnings record_warnings(const Record& record) {
   return list;
 }
 
+NumberedWarnings drop_warnings(const Record& record, const NumberedWarnings& told) {
+  constexpr double lasts = 0.5, at_peak = 0.9;  // of the largest value
+  const bool is_cut = std::any_of(told.begin(), told.end(), [](const auto& one) { return one.name == "record_cut"; });
+  if (is_cut || !record.end || !(record.time.back() < *record.end * (1. - 1e-9))) return {};
+  const double drop = std::abs(record.value.back()) / extent_of(record.value).size();
+  if (!(drop >= lasts)) return {};
+  return {
+      {"load_drops", drop, lasts, "1",
+       "the record of '" + record.name + "' ends at " + significant(record.time.back(), 4) + " s with " +
+           significant(100. * drop, 3) + " % of its largest value, and the load drops to zero there at once: " +
+           (drop >= at_peak ? "its largest value may not have come, and its fall is not felt" : "it is cut, or stays"),
+       "give the whole record; let one that stays go on until time.end, and one that falls end with a row of zero",
+       drop >= at_peak}};
+}
+
 NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records) {
   constexpr double limit = 0.25;
   if (records.size() < 4) return {};

@@ -58,6 +58,11 @@ struct RecordAtHeight {
   Record record;
 };
 
+/// Of a record as a whole, where `told` has no record_cut:
+///   load_drops      its last value is half of its largest or more, and the run goes on without it. Voids the verdict
+///                   from 90 %
+NumberedWarnings drop_warnings(const Record& record, const NumberedWarnings& told);
+
 /// records_swapped: exchanging two of the records, all sampled at the same times, would make the pressures much
 /// smoother over the height: the sum of squared second differences, over the 2,000 samples with the largest
 /// pressures, falls below a quarter. Needs four records, in the order of ascending heights. The value is that ratio;

@@ -144,15 +144,20 @@ class OfALumpedModel(ProgramTest):
     def test_a_record_that_ends_at_its_peak_holds_nothing(self):
         rows = [(0.002 * i, 1e6 * math.sin(math.pi * max(0, 0.002 * i - 0.1) / 0.4)) for i in range(251)]
         record = 'loads.push={ boundary = "front", kind = "force", direction = [1, 0], history = "record.csv" }'
-        for kept, names_told, void in ((251, [], False), (151, ["load_drops"], True), (140, ["load_drops"], True), (205, ["load_drops"], True)):
+        cut = ["load_drops", "record_cut"]
+        for kept, names_told, void in ((251, [], False), (151, ["record_cut"], True), (140, ["record_cut"], True), (205, ["record_cut"], True)):
             (self.folder / "record.csv").write_text("time (s),force (N/m)\n" + "".join(f"{t},{f}\n" for t, f in rows[:kept]))
             text = LUMPED[:LUMPED.index("[loads.push]")] + LUMPED[LUMPED.index("[time]"):]
             (self.folder / "case.toml").write_text(text)
             told = self.told(record)
-            self.assertEqual([name for name in names(told) if name == "load_drops"], names_told, kept)
+            self.assertEqual([name for name in names(told) if name in cut], names_told, "one of them, and once")
             self.assertEqual(told["verdict"]["holds"] is None, void, told["verdict"]["text"])
         (self.folder / "record.csv").write_text("time (s),F1,F2\n0,0,0\n0.1,4e5,4e6\n0.2,0,0\n")
         self.assertIn("column_chosen", names(self.told(record)))
+        (self.folder / "record.csv").write_text("time (s),force (N/m)\n0,0\n0.1,4e5\n0.2,4e5\n")
+        told = self.told(record)
+        self.assertEqual([name for name in names(told) if name in cut], ["load_drops"], "corners are no record that is cut")
+        self.assertIsNone(told["verdict"]["holds"])
         (self.folder / "record.csv").write_text("time (s),force (N/m)\n0,0\n0.1,4e5\n2,4e5\n")
         self.assertNotIn("load_drops", names(self.told(record)), "it goes on until the end")
 

@@ -90,6 +90,18 @@ TEST(Records, ALoadThatStopsWhereTheRunGoesOnIsCut) {
   EXPECT_FALSE(record_warnings(falls).at(0).voids) << "what is cut comes after the run";
 }
 
+TEST(Records, ADropAtTheEndIsToldOnce) {
+  const Record corners{"corners", {0., 0.1, 0.2}, {0., 1., -0.95}, 1.};
+  ASSERT_EQ(names(drop_warnings(corners, {})), Names{"load_drops"});
+  EXPECT_EQ(drop_warnings(corners, {})[0].value, 0.95);
+  EXPECT_TRUE(drop_warnings(corners, {})[0].voids);
+  EXPECT_EQ(names(drop_warnings({"until the end", {0., 0.1, 1.}, {0., 1., 1.}, 1.}, {})), Names());
+  EXPECT_EQ(names(drop_warnings({"of no run", {0., 0.1, 0.2}, {0., 1., 1.}}, {})), Names());
+  Record rise = sampled([](double t) { return 1e6 * std::sin(0.5 * M_PI * t); });
+  rise.end = 2.;
+  EXPECT_EQ(names(drop_warnings(rise, record_warnings(rise))), Names()) << "record_cut tells it";
+}
+
 TEST(Records, StepIsNoFault) {
   EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::min(1., std::max(0., (t - 0.2) / 0.1)); }))),
             Names());

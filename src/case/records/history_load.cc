@@ -170,7 +170,9 @@ void add_file(const std::string& path, const Place& place, FileHistory& history,
   source.notes = std::move(history.notes);
   history.record.name = source.title;
   history.record.end = end;
-  if (source.acts()) append(source.warnings, record_warnings(history.record));
+  if (!source.acts()) return;
+  append(source.warnings, record_warnings(history.record));
+  append(source.warnings, drop_warnings(history.record, source.warnings));
 }
 
 std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
