@@ -15,30 +15,46 @@ namespace upbead {
 
 namespace {
 
+/// What is told of some of the waves, and of which it is worst; of equal ones the first.
+struct ToldOfWaves {
+  std::size_t n = 0, all = 0;
+  double amount = -HUGE_VAL;
+  std::string worst{};
+  const WaveResponse* wave = nullptr;  ///< the worst
+  std::string count() const { return std::to_string(n) + " of " + std::to_string(all) + " waves"; }
+};
+
+/// Of the waves whose `amount` is above `limit`; none where there are none.
+template <class Amount>
+std::optional<ToldOfWaves> told_of(const std::vector<AnsweredWave>& waves, Amount amount, double limit = 0.) {
+  ToldOfWaves told;
+  told.all = waves.size();
+  for (const AnsweredWave& row : waves) {
+    const double of_row = amount(*row.wave);
+    if (of_row > limit) ++told.n;
+    if (of_row > told.amount) told = {told.n, told.all, of_row, row.name, row.wave};
+  }
+  return told.n > 0 ? std::optional(told) : std::nullopt;
+}
+
 /// A warning where the coupled S of some waves could not be computed.
-NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto untold = [](const AnsweredWave& row) { return !row.wave->why_not_coupled.empty(); };
-  const auto first = std::find_if(waves.begin(), waves.end(), untold);
-  if (first == waves.end()) return {};
-  const auto n = std::count_if(waves.begin(), waves.end(), untold);
-  return {{"no_coupled_slip", static_cast<double>(n), 0., "1",
-           "the distance that the caisson slips as a whole could not be computed for " + std::to_string(n) + " of " +
-               std::to_string(waves.size()) + " waves, such as " + first->name + ": " + first->wave->why_not_coupled,
+NumberedWarnings slip_warnings(const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(waves, [](const WaveResponse& w) { return w.why_not_coupled.empty() ? 0. : 1.; });
+  if (!told) return {};
+  return {{"no_coupled_slip", static_cast<double>(told->n), 0., "1",
+           "the distance that the caisson slips as a whole could not be computed for " + told->count() + ", such as " +
+               told->worst + ": " + told->wave->why_not_coupled,
            "take S of the bonded caisson, or solve such a wave by 'upbead run' with contact node by node (kind = "
            "\"friction\")"}};
 }
 
 /// Warning no_contact: slip and uplift node by node of some waves could not be computed.
-NumberedWarnings contact_warnings(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto untold = [](const AnsweredWave& row) { return !row.wave->why_not_contact.empty(); };
-  const auto n = std::count_if(waves.begin(), waves.end(), untold);
-  if (n == 0) return {};
-  const AnsweredWave& first = *std::find_if(waves.begin(), waves.end(), untold);
-  return {{"no_contact", static_cast<double>(n), 0., "1",
-           "slip and uplift node by node of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
-               " waves could not be computed, such as of " + first.name + ": " + first.wave->why_not_contact,
+NumberedWarnings contact_warnings(const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(waves, [](const WaveResponse& w) { return w.why_not_contact.empty() ? 0. : 1.; });
+  if (!told) return {};
+  return {{"no_contact", static_cast<double>(told->n), 0., "1",
+           "slip and uplift node by node of " + told->count() + " could not be computed, such as of " + told->worst +
+               ": " + told->wave->why_not_contact,
            "solve such a wave by 'upbead run', which marches the whole ground"}};
 }
 
@@ -76,37 +92,28 @@ const Doubt doubts[] = {
      }}};
 
 /// Warnings still_slides, rocks_on_edge and no_settlement, as of a run with contact node by node.
-NumberedWarnings solved_warnings(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
+NumberedWarnings solved_warnings(const std::vector<AnsweredWave>& waves) {
   NumberedWarnings list;
   for (const Doubt& doubt : doubts) {
-    const auto amount = [&doubt](const AnsweredWave& row) {
-      return row.wave->contact && row.wave->contact->solved ? doubt.amount(*row.wave->contact) : 0.;
-    };
-    const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return amount(row) > 0.; });
-    if (n == 0) continue;
-    const AnsweredWave& worst =
-        *std::max_element(waves.begin(), waves.end(),
-                          [&](const AnsweredWave& a, const AnsweredWave& b) { return amount(a) < amount(b); });
-    list.push_back({doubt.name, amount(worst), 0., doubt.unit,
-                    "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " +
-                        worst.name + " by " + with_unit(amount(worst), doubt.unit) + ", " + doubt.what,
+    const auto told = told_of(waves, [&doubt](const WaveResponse& w) {
+      return w.contact && w.contact->solved ? doubt.amount(*w.contact) : 0.;
+    });
+    if (!told) continue;
+    list.push_back({doubt.name, told->amount, 0., doubt.unit,
+                    "in " + told->count() + ", worst in " + told->worst + " by " + with_unit(told->amount, doubt.unit) +
+                        ", " + doubt.what,
                     doubt.cure, doubt.voids});
   }
   return list;
 }
 
 /// Warning uplift_left_out: the pores lift the caisson, and its S counts no uplift.
-NumberedWarnings pore_warnings(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto uplift = [](const AnsweredWave& row) { return row.wave->left_out_uplift; };
-  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return uplift(row) > 0.; });
-  if (n == 0) return {};
-  const AnsweredWave& worst = *std::max_element(
-      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return uplift(a) < uplift(b); });
-  return {{"uplift_left_out", uplift(worst), 0., "N/m",
-           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " + worst.name +
-               ", the pore pressure under the base lifts the caisson with up to " + with_unit(uplift(worst), "N/m") +
+NumberedWarnings pore_warnings(const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(waves, [](const WaveResponse& w) { return w.left_out_uplift; });
+  if (!told) return {};
+  return {{"uplift_left_out", told->amount, 0., "N/m",
+           "in " + told->count() + ", worst in " + told->worst +
+               ", the pore pressure under the base lifts the caisson with up to " + with_unit(told->amount, "N/m") +
                ", and S leaves it out, as [sliding] of the model's case has no uplift",
            "write sliding.uplift = { kind = \"computed\" } in the case and reduce it again",
            std::any_of(waves.begin(), waves.end(),
@@ -135,91 +142,66 @@ NumberedWarnings soil_warnings(const ReducedModelFile& model, const std::vector<
 }
 
 /// Warning slides_on: S is that of loads that stop where the wave ends.
-NumberedWarnings endless_warnings(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto goes_on = [](const AnsweredWave& row) { return row.wave->slides_on; };
-  const auto n = std::count_if(waves.begin(), waves.end(), goes_on);
-  if (n == 0) return {};
-  const AnsweredWave& first = *std::find_if(waves.begin(), waves.end(), goes_on);
-  const double S = *first.wave->sliding;
+NumberedWarnings endless_warnings(const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(waves, [](const WaveResponse& w) { return w.slides_on ? 1. : 0.; });
+  if (!told) return {};
+  const double S = *told->wave->sliding;
   return {{"slides_on", S, 0., "m",
-           "the loads at the end of " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, such as " +
-               first.name + " with S " + with_unit(S, "m") +
+           "the loads at the end of " + told->count() + ", such as " + told->worst + " with S " + with_unit(S, "m") +
                ", exceed the friction: S is that of loads which stop there, and has no bound where they stay",
            "let the wave last until its loads are over"}};
 }
 
 /// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency.
-NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto n = std::count_if(waves.begin(), waves.end(),
-                               [&model](const AnsweredWave& row) { return row.wave->beyond_band > model.tolerance; });
-  if (n == 0) return {};
-  const AnsweredWave& worst = *std::max_element(
-      waves.begin(), waves.end(),
-      [](const AnsweredWave& a, const AnsweredWave& b) { return a.wave->beyond_band < b.wave->beyond_band; });
-  return {{"beyond_band", worst.wave->beyond_band, model.tolerance, "1",
-           std::to_string(n) + " of " + std::to_string(waves.size()) +
-               " waves reach beyond the frequencies that the model has been checked for, " +
-               significant(model.highest_frequency) + " Hz: worst " + worst.name + ", where " +
-               significant(100. * worst.wave->beyond_band) + " % of F_T lies beyond (tolerance " +
+NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(
+      waves, [](const WaveResponse& w) { return w.beyond_band; }, model.tolerance);
+  if (!told) return {};
+  return {{"beyond_band", told->amount, model.tolerance, "1",
+           told->count() + " reach beyond the frequencies that the model has been checked for, " +
+               significant(model.highest_frequency) + " Hz: worst " + told->worst + ", where " +
+               significant(100. * told->amount) + " % of F_T lies beyond (tolerance " +
                significant(100. * model.tolerance) + " %)",
            "reduce again with a shorter pulse or a smaller tolerance, or march the wave with 'upbead run'"}};
 }
 
 /// Warnings of waves whose error estimate exceeds the model's tolerance, and of models that cannot estimate errors:
 /// docs/warnings.md.
-NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<AnsweredWave>& waves) {
   if (!model.nested)
     return {{"no_error_estimate", 0., model.tolerance, "1",
              "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null",
              "make the model again with 'upbead reduce'"}};
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto estimate = [](const AnsweredWave& row) { return row.wave->error_estimate.value_or(0.); };
-  const auto n = std::count_if(waves.begin(), waves.end(),
-                               [&](const AnsweredWave& row) { return estimate(row) > model.tolerance; });
-  if (n == 0) return {};
-  const AnsweredWave& worst =
-      *std::max_element(waves.begin(), waves.end(),
-                        [&](const AnsweredWave& a, const AnsweredWave& b) { return estimate(a) < estimate(b); });
-  return {{"reduced_model_error", estimate(worst), model.tolerance, "1",
-           "F_T of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
-               " waves may be wrong by more than the model's tolerance: worst " + worst.name + ", by up to " +
-               significant(100. * estimate(worst), 2) + " % of its largest F_T (tolerance " +
+  const auto told = told_of(
+      waves, [](const WaveResponse& w) { return w.error_estimate.value_or(0.); }, model.tolerance);
+  if (!told) return {};
+  return {{"reduced_model_error", told->amount, model.tolerance, "1",
+           "F_T of " + told->count() + " may be wrong by more than the model's tolerance: worst " + told->worst +
+               ", by up to " + significant(100. * told->amount, 2) + " % of its largest F_T (tolerance " +
                significant(100. * model.tolerance) + " %)",
            "reduce again with an 'end' as long as the wave, a load as short as its pulse or a smaller [accuracy] "
            "tolerance, or march the wave with 'upbead run'"}};
 }
 
 /// Warning slip_circle: circles have less than what they need to stand.
-NumberedWarnings circle_warnings_of(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto factor = [](const AnsweredWave& row) { return row.wave->circle ? row.wave->circle->factor : HUGE_VAL; };
-  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return factor(row) < 1.; });
-  if (n == 0) return {};
-  const AnsweredWave& worst = *std::min_element(
-      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return factor(a) < factor(b); });
-  return {{"slip_circle", factor(worst), 1., "1",
-           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) +
-               " waves the ground under the caisson would slip on a circle, worst in " + worst.name +
-               ": F = " + circle_text(worst.wave->circle) + " by Bishop's simplified method",
+NumberedWarnings circle_warnings_of(const std::vector<AnsweredWave>& waves) {
+  const auto told = told_of(
+      waves, [](const WaveResponse& w) { return w.circle ? -w.circle->factor : -HUGE_VAL; }, -1.);
+  if (!told) return {};
+  return {{"slip_circle", told->wave->circle->factor, 1., "1",
+           "in " + told->count() + " the ground under the caisson would slip on a circle, worst in " + told->worst +
+               ": F = " + circle_text(told->wave->circle) + " by Bishop's simplified method",
            "widen the caisson or its berm, or give the mound more height; a factor below 1 of a moment is a permanent "
            "displacement and not yet a collapse"}};
 }
 
-/// Warning would_lift: an edge of the base, which a reduced model has bonded, is in tension.
-NumberedWarnings lift_warnings_of(const std::vector<WaveResponses>& files) {
-  const std::vector<AnsweredWave> waves = all_waves(files);
-  const auto stress = [](const AnsweredWave& row) {
-    return row.wave->tension && !row.wave->response ? row.wave->tension->stress : 0.;  // contact tells more
-  };
-  const auto n = std::count_if(waves.begin(), waves.end(), [&](const AnsweredWave& row) { return stress(row) < 0.; });
-  if (n == 0) return {};
-  const AnsweredWave& worst = *std::min_element(
-      waves.begin(), waves.end(), [&](const AnsweredWave& a, const AnsweredWave& b) { return stress(a) < stress(b); });
-  return {{"would_lift", stress(worst), 0., "Pa",
-           "in " + std::to_string(n) + " of " + std::to_string(waves.size()) + " waves, worst in " + worst.name + ", " +
-               lifts_text(*worst.wave->tension),
+/// Warning would_lift: an edge of the base, which a reduced model has bonded, is in tension; contact tells more.
+NumberedWarnings lift_warnings_of(const std::vector<AnsweredWave>& waves) {
+  const auto told =
+      told_of(waves, [](const WaveResponse& w) { return w.tension && !w.response ? -w.tension->stress : 0.; });
+  if (!told) return {};
+  return {{"would_lift", told->wave->tension->stress, 0., "Pa",
+           "in " + told->count() + ", worst in " + told->worst + ", " + lifts_text(*told->wave->tension),
            "solve such a wave by 'upbead run' with [regions.caisson.interface] kind = \"friction\""}};
 }
 
@@ -310,9 +292,9 @@ NumberedWarnings warnings_of_answers(const ReducedModelFile& model, const std::v
   for (NumberedWarning& warning : of_uplift) warning.voids = judged;  // F_T alone needs no uplift
   append(list, of_uplift);
   for (const NumberedWarnings& more :
-       {band_warnings(model, files), error_warnings(model, files), slip_warnings(files), contact_warnings(files),
-        solved_warnings(files), pore_warnings(files), soil_warnings(model, files), endless_warnings(files),
-        lift_warnings_of(files), circle_warnings_of(files)})
+       {band_warnings(model, waves), error_warnings(model, waves), slip_warnings(waves), contact_warnings(waves),
+        solved_warnings(waves), pore_warnings(waves), soil_warnings(model, files), endless_warnings(waves),
+        lift_warnings_of(waves), circle_warnings_of(waves)})
     append(list, more);
   return list;
 }
