@@ -87,4 +87,23 @@ std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& s
   return list;
 }
 
+OutputSchema<GaugeSummary> gauge_outputs() {
+  using G = GaugeSummary;
+  return OutputSchema<G>()
+      .key("gauges", &G::gauges, "", "how many")
+      .key("samples", &G::samples, "", "how many")
+      .key("interval", &G::interval, "s", "between samples, mean")
+      .key("peak_gauge", &G::peak_gauge, "", "transducer with the largest pressure")
+      .key("peak_pressure", &G::peak_pressure, "Pa", "largest pressure")
+      .key("peak_pressure_time", &G::peak_pressure_time, "s", "when")
+      .key("peak_pressure_at", &G::peak_at, "m", "where")
+      .key("peak_force", &G::peak_force, "N/m", "largest force")
+      .key("peak_force_time", &G::peak_force_time, "s", "when")
+      .key("arm", &G::arm, "m",
+           "height of the largest force above the bottom; for an uplift its distance landward of the bottom's middle")
+      .key("force_error", &G::force_error, "", "relative error of the force by interpolation")
+      .key("arm_error", &G::arm_error, "", "error of the arm by interpolation, over the row's length")
+      .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
+}
+
 }  // namespace upbead

@@ -90,6 +90,10 @@ Scene with_profiles(const Case& input, const Mesh& mesh);
 /// not the caisson's.
 void check_waves(const Case& input, const Simulation& simulation);
 
+/// Warnings centroid_differs, berm_differs, uplift_left_out and uplift_differs: a wave's section or uplift is not that
+/// of the run.
+NumberedWarnings wave_mesh_warnings(const Case& input, const Simulation& simulation);
+
 std::vector<WaveLoadSummary> wave_summaries(const Case& input);
 
 /// The checks of these loads by formulas, which stand beside those of the solved scene.

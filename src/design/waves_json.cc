@@ -100,11 +100,7 @@ OutputSchema<WaveAnswer> sliding_outputs() {
       .key("sliding_combined", inner(&A::sliding, &SlidingDistances::combined), "m", "S with the standing wave, too")
       .object("elastic", &A::elastic, elastic_outputs(),
               "on the swaying ground; null without `[ground]` and `pulse_duration`")
-      .object("standing", inner(&A::standing, &StandingResult::answer), standing_outputs(),
-              "the standing wave of finite height before the wall; null where there is none")
-      .key("why_no_standing", inner(&A::standing, &StandingResult::why_not), "", "why; empty where there is one")
-      .object("trough_bound", inner(&A::standing, &StandingResult::bound), trough_bound_outputs(),
-              "a bound of the trough, after Sainflou (1928), where there is none; null where there is one")
+      .keys_of(&A::standing, standing_outputs())
       .object("impact", &A::impact, impact_outputs(),
               "by PROVERBS, if the wave breaks on the wall; null unless `impact.force = \"proverbs\"`")
       .list("warnings[]", &A::warnings, warning_outputs(), "[of that wave](waves.md#warnings); may be empty");

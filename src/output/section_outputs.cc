@@ -12,6 +12,8 @@ OutputSchema<Stability> stability_outputs() {
       .key("toe_pressure", &S::heel_pressure, "Pa", "the same: the heel's, by the name of older versions");
 }
 
+namespace {
+
 OutputSchema<TroughBound> trough_bound_outputs() {
   using T = TroughBound;
   return OutputSchema<T>()
@@ -24,26 +26,7 @@ OutputSchema<TroughBound> trough_bound_outputs() {
            "p_e, under the seaward edge; null where the caisson overturns");
 }
 
-OutputSchema<BreakingImpact> impact_outputs() {
-  using I = BreakingImpact;
-  return OutputSchema<I>()
-      .key("relative_mound", &I::relative_mound, "", "(h - d)/h, h_b* of the parameter map")
-      .key("relative_height", &I::relative_height, "", "H_1/3/h, H_s* of the parameter map")
-      .key("relative_berm", &I::relative_berm, "", "B_eq/L, B* of the parameter map")
-      .key("breaker", &I::breaker, "m", "H_b, from which a wave breaks on the wall; an assumption")
-      .key("breaker_before", &I::breaker_before, "m", "height from which it breaks before; an assumption")
-      .key("share", &I::share, "", "of the waves of the sea that are between these heights, after Rayleigh")
-      .key("breaks", &I::breaks, "", "whether H is at least H_b")
-      .key("relative_peak", &I::relative_peak, "", "F* of the quantile; an assumption")
-      .key("peak", &I::peak, "N/m", "F* rho g H_b^2")
-      .key("median_peak", &I::median_peak, "N/m", "the same of the middle F*")
-      .key(
-          "sr443", &I::sr443, "N/m",
-          "15 rho g h^2 (H_1/3/h)^3.134, mean of the highest 1/250 of the forces (Allsop, Vicinanza and McKenna 1996), "
-          "as another measure; an assumption; null beyond 0.35 < H_1/3/h < 0.6");
-}
-
-OutputSchema<StandingAnswer> standing_outputs() {
+OutputSchema<StandingAnswer> standing_answer_outputs() {
   using A = StandingAnswer;
   const auto landward = [](auto member) { return inner(&A::worst, &StandingExtremes::landward, member); };
   const auto seaward = [](auto member) { return inner(&A::worst, &StandingExtremes::seaward, member); };
@@ -67,6 +50,37 @@ OutputSchema<StandingAnswer> standing_outputs() {
       .key("trough_safety_overturning", inner(&A::seaward, &Stability::safety_overturning), "", "about the toe")
       .key("toe_pressure", inner(&A::seaward, &Stability::heel_pressure), "Pa",
            "p_e, under the seaward edge, in the trough; null likewise");
+}
+
+}  // namespace
+
+OutputSchema<StandingResult> standing_outputs() {
+  using R = StandingResult;
+  return OutputSchema<R>()
+      .object("standing", &R::answer, standing_answer_outputs(),
+              "the standing wave of finite height before the wall; null where there is none")
+      .key("why_no_standing", &R::why_not, "", "why; empty where there is one")
+      .object("trough_bound", &R::bound, trough_bound_outputs(),
+              "a bound of the trough, after Sainflou (1928), where there is none; null where there is one");
+}
+
+OutputSchema<BreakingImpact> impact_outputs() {
+  using I = BreakingImpact;
+  return OutputSchema<I>()
+      .key("relative_mound", &I::relative_mound, "", "(h - d)/h, h_b* of the parameter map")
+      .key("relative_height", &I::relative_height, "", "H_1/3/h, H_s* of the parameter map")
+      .key("relative_berm", &I::relative_berm, "", "B_eq/L, B* of the parameter map")
+      .key("breaker", &I::breaker, "m", "H_b, from which a wave breaks on the wall; an assumption")
+      .key("breaker_before", &I::breaker_before, "m", "height from which it breaks before; an assumption")
+      .key("share", &I::share, "", "of the waves of the sea that are between these heights, after Rayleigh")
+      .key("breaks", &I::breaks, "", "whether H is at least H_b")
+      .key("relative_peak", &I::relative_peak, "", "F* of the quantile; an assumption")
+      .key("peak", &I::peak, "N/m", "F* rho g H_b^2")
+      .key("median_peak", &I::median_peak, "N/m", "the same of the middle F*")
+      .key(
+          "sr443", &I::sr443, "N/m",
+          "15 rho g h^2 (H_1/3/h)^3.134, mean of the highest 1/250 of the forces (Allsop, Vicinanza and McKenna 1996), "
+          "as another measure; an assumption; null beyond 0.35 < H_1/3/h < 0.6");
 }
 
 }  // namespace upbead

@@ -10,13 +10,10 @@ namespace upbead {
 /// Safety factors and p_e under Goda's pressures with alpha_I.
 OutputSchema<Stability> stability_outputs();
 
-/// A bound of the trough where there is no such wave.
-OutputSchema<TroughBound> trough_bound_outputs();
-
 /// An impact by PROVERBS.
 OutputSchema<BreakingImpact> impact_outputs();
 
-/// The same in a standing wave of finite height, in crest and trough.
-OutputSchema<StandingAnswer> standing_outputs();
+/// The same in a standing wave of finite height, in crest and trough, or why there is none, and a bound of its trough.
+OutputSchema<StandingResult> standing_outputs();
 
 }  // namespace upbead

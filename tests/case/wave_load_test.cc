@@ -199,7 +199,7 @@ TEST_F(WaveLoadTest, ChecksByFormulasAreThoseOfTheSectionInItsWave) {
 TEST_F(WaveLoadTest, ChurchRoofTakesRiseAndDurationOfItsPeak) {
   const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }"));
   const WaveLoadSummary s = wave_summaries(problem).front();
-  const double rise = 0.769 * std::sqrt(7.5 / 9.81) * 1030. * 9.81 * 64. / s.force;
+  const double rise = 0.769 * std::sqrt(7.5 / 9.81) * 1030. * 9.81 * 64. / s.pressure.force;
   EXPECT_NEAR(s.rise, rise, 1e-12 * rise);
   EXPECT_NEAR(s.duration, rise * (2. + 8. * std::exp(-18. * rise / 12.)), 1e-12 * s.duration);
 }
@@ -252,7 +252,7 @@ TEST_F(WaveLoadTest, TakesItsPeakFromProverbsWhereItBreaks) {
   EXPECT_NEAR(summary(", force = \"impulse\", impact = { peak_gain = " + gain + " }").peak, s.peak, 0.01 * s.peak);
   const WaveLoadSummary unbroken = summary(", force = \"proverbs\", impact = { proverbs = { breaker = 12.0 } }");
   EXPECT_FALSE(unbroken.impact->breaks);
-  EXPECT_NEAR(unbroken.peak, unbroken.force, 1e-12 * unbroken.force);
+  EXPECT_NEAR(unbroken.peak, unbroken.pressure.force, 1e-12 * unbroken.pressure.force);
   EXPECT_FALSE(summary("").impact);
 }
 
@@ -330,7 +330,7 @@ TEST_F(WaveLoadTest, ScalesByFroude) {
   write("out/case.toml", scale_case(problem, {0.05, SoilScaling::froude, {}}, "out").text);
   const Case model = read_case("out/case.toml");
   const WaveLoadSummary large = wave_summaries(problem).front(), small = wave_summaries(model).front();
-  EXPECT_NEAR(small.force * 400., large.force, 1e-9 * large.force);
+  EXPECT_NEAR(small.pressure.force * 400., large.pressure.force, 1e-9 * large.pressure.force);
   EXPECT_NEAR(small.rise * std::sqrt(20.), large.rise, 1e-9);
   EXPECT_NEAR(small.impulse * 400. * std::sqrt(20.), large.impulse, 1e-8 * large.impulse);
 }

@@ -495,21 +495,18 @@ struct WaveLoadSummary {
   std::string name, course;
   double height = 0., significant_height = 0., period = 0., angle = 0.;  ///< H, H_1/3 (m), T (s), beta (degrees)
   double wavelength = 0.;                                                ///< L (m)
-  double alpha_1 = 0., alpha_2 = 0., alpha_I = 0., alpha_star = 0.;
-  double eta_star = 0.;                               ///< m
-  double p1 = 0., p3 = 0., p4 = 0., pu = 0.;          ///< Pa
-  double force = 0., force_moment = 0., uplift = 0.;  ///< P, M_P about the bottom's level, U
-  double peak = 0., peak_uplift = 0.;                 ///< of the load, with its factor (N/m)
-  std::optional<double> trough_force;                 ///< of a standing wave: least P, with the factor (N/m)
-  double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of the whole (s)
-  double standing_force = 0., impulse = 0.;           ///< peak of the slow part (N/m), integral (N s/m); with factor
-  double end = 0.;                                    ///< when the load ends (s)
-  std::optional<double> peak_over_goda;  ///< peak of the load over Goda's P with alpha*, both with the factor
-  std::optional<Stability> stability;    ///< by Goda's formulas, with the factor; none of a load that pulls seaward
-  StandingResult standing;               ///< the wave in case it does not break, with the factor
-  std::optional<BreakingImpact> impact;  ///< by PROVERBS, without the factor; none where the peak is not by it
-  std::optional<double> direction;       ///< from which the wave comes, from north (degrees); none where beta is given
-  std::optional<double> sliding;         ///< S of that P by eqs. (4) and (6), tau_0 = k(alpha*) tau_0F (m)
+  WavePressure pressure;                                                 ///< with alpha*
+  double peak = 0., peak_uplift = 0.;                                    ///< of the load, with its factor (N/m)
+  std::optional<double> trough_force;        ///< of a standing wave: least P, with the factor (N/m)
+  double rise = 0., duration = 0.;           ///< of the impulsive part; of a sine, of the whole (s)
+  double standing_force = 0., impulse = 0.;  ///< peak of the slow part (N/m), integral (N s/m); with factor
+  double end = 0.;                           ///< when the load ends (s)
+  std::optional<double> peak_over_goda;      ///< peak of the load over Goda's P with alpha*, both with the factor
+  std::optional<Stability> stability;        ///< by Goda's formulas, with the factor; none of a load that pulls seaward
+  StandingResult standing;                   ///< the wave in case it does not break, with the factor
+  std::optional<BreakingImpact> impact;      ///< by PROVERBS, without the factor; none where the peak is not by it
+  std::optional<double> direction;  ///< from which the wave comes, from north (degrees); none where beta is given
+  std::optional<double> sliding;    ///< S of that P by eqs. (4) and (6), tau_0 = k(alpha*) tau_0F (m)
   std::optional<double> sliding_combined;  ///< with the standing wave besides, Shimosako and Takahashi (1998) (m)
   std::vector<std::string> assumptions;
 };

@@ -172,4 +172,27 @@ std::vector<FlowSummary> flow_summaries(const Case& input) {
   return list;
 }
 
+OutputSchema<FlowSummary> flow_outputs() {
+  using F = FlowSummary;
+  return OutputSchema<F>()
+      .key("layout", &F::layout, "", "what was read")
+      .key("files", &F::files, "", "how many")
+      .key("samples", &F::samples, "", "how many")
+      .key("begin", &F::begin, "s", "of the record, in the run's time")
+      .key("end", &F::end, "s", "of the record, in the run's time")
+      .key("thickness", &F::thickness, "m",
+           "length of breakwater that its forces belong to; null where it holds pressures")
+      .key("peak_force", &F::peak_force, "N/m",
+           "largest force over still water, landward; of pressures their sum along the line of points")
+      .key("peak_force_time", &F::peak_force_time, "s", "when")
+      .key("arm", &F::arm, "m",
+           "height of the largest force above the centre of moments, or above the lowest end of the points; null "
+           "without either")
+      .key("still_force", &F::still_force, "N/m", "force of still water, which was subtracted")
+      .key("difference", &F::difference, "",
+           "largest difference of the sum of the pressures and the forces of `against`, over the largest force; null "
+           "without `against`")
+      .key("told", &F::told, "", "how the files were understood, in sentences");
+}
+
 }  // namespace upbead
