@@ -13,10 +13,6 @@ namespace upbead {
 /// Both must outlive the findings; null: only the keys are asked for.
 std::vector<Finding> case_findings(const Case* input, const std::vector<MeasuredRecord>* records);
 
-OutputSchema<GaugeSummary> gauge_outputs();
-OutputSchema<FlowSummary> flow_outputs();
-OutputSchema<WaveLoadSummary> wave_load_outputs();
-
 /// The keys of the summary of `upbead run`.
 const OutputSchema<Summary>& summary_outputs();
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "output/output_schema.h"
 #include "records/measured.h"
 #include "upbead/case/case_run.h"
 #include "upbead/findings/find.h"
@@ -64,6 +65,7 @@ std::vector<RecordSummary> record_summaries(const Case& input, const std::vector
 
 /// Summaries of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation);
+OutputSchema<GaugeSummary> gauge_outputs();
 
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation);

@@ -95,6 +95,7 @@ void check_waves(const Case& input, const Simulation& simulation);
 NumberedWarnings wave_mesh_warnings(const Case& input, const Simulation& simulation);
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input);
+OutputSchema<WaveLoadSummary> wave_load_outputs();
 
 /// The checks of these loads by formulas, which stand beside those of the solved scene.
 Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& limits);

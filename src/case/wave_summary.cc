@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "case/case_findings.h"
 #include "case/wave_load.h"
 #include "output/section_outputs.h"
 #include "upbead/sliding/combined.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "output/output_schema.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/sliding_summary.h"
 
 namespace upbead {
 

@@ -11,7 +11,7 @@
 #include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/sliding_summary.h"
 #include "upbead/sliding/base_pressure.h"
 
 namespace upbead {

@@ -5,7 +5,7 @@
 
 #include "fem/yielding_soil.h"
 #include "response/monitors.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/ground_summary.h"
 
 namespace upbead {
 

@@ -13,7 +13,6 @@
 #include "case/cfd/flow_record.h"
 #include "case/records/gauge_load.h"
 #include "model/record.h"
-#include "upbead/output/summary.h"
 
 namespace upbead {
 

@@ -4,6 +4,8 @@
 
 #include "case/cfd/flow_source.h"
 #include "case/load_source.h"
+#include "output/output_schema.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 
@@ -22,7 +24,7 @@ void place_flows(const Case& input, const Mesh& mesh, Scene& scene);
 /// flow_arm_outside: forces whose resultant lies above or below the wall or region that they act on.
 NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh);
 
-struct FlowSummary;
 std::vector<FlowSummary> flow_summaries(const Case& input);
+OutputSchema<FlowSummary> flow_outputs();
 
 }  // namespace upbead

@@ -4,7 +4,7 @@
 #include "run/sliding/uplift_course.h"
 #include "upbead/base/history.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/sliding_summary.h"
 
 namespace upbead {
 

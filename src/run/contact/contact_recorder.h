@@ -8,7 +8,7 @@
 
 #include "dynamics/contact.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/sliding_summary.h"
 
 namespace upbead {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "upbead/dynamics/march.h"
-#include "upbead/output/summary.h"
+#include "upbead/output/sliding_summary.h"
 
 namespace upbead {
 
