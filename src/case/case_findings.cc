@@ -16,6 +16,7 @@
 #include "fem/compile.h"
 #include "findings/effective_base.h"
 #include "findings/histories.h"
+#include "findings/plausibility.h"
 #include "findings/topics.h"
 #include "output/section_outputs.h"
 

@@ -21,9 +21,6 @@ std::optional<double> weight_in_water(const Simulation& simulation);
 /// How far landward of the bottom's middle the line of that weight is (m); none where it floats, too.
 std::optional<double> eccentricity_in_water(const Simulation& simulation);
 
-/// Warnings submerged_weight and no_water of a W' that is given, beside that weight. Needs a caisson.
-void judge_weight(const std::string& key, double given, const Simulation& simulation, NumberedWarnings& list);
-
 /// W' is that of [sliding], or the mass minus the water that the caisson displaces below still water. None without
 /// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time;
 /// `contact`: what nodes did that slip and open.

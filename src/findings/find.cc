@@ -31,6 +31,7 @@ Finding harbour_finding();
 Finding strength_finding();
 Finding cavitation_finding();
 Finding plausibility_finding();
+Finding mesh_plausibility_finding();
 Finding scene_finding();
 Finding ways_finding();
 
@@ -43,7 +44,7 @@ const std::vector<Finding>& findings() {
       yielding_finding(),       base_finding(),       circles_finding(),      peak_safety_finding(),
       liquefaction_finding(),   cycles_finding(),     contact_finding(),      harbour_finding(),
       strength_finding(),       cavitation_finding(), scene_finding(),        densification_finding(),
-      strain_soil_finding(),    ways_finding(),       plausibility_finding()};
+      strain_soil_finding(),    ways_finding(),       plausibility_finding(), mesh_plausibility_finding()};
   return rows;
 }
 
