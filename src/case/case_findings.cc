@@ -137,20 +137,16 @@ OutputSchema<MeasuredSummary> measured_outputs() {
 
 Finding flows_finding(const Case* input) {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.named("flows.NAME", &Summary::flows, &FlowSummary::name, flow_outputs(),
-            "of a load [from a CFD program](cfd.md)");
-  };
+  f.keys.named("flows.NAME", &Summary::flows, &FlowSummary::name, flow_outputs(),
+               "of a load [from a CFD program](cfd.md)");
   f.parts.emplace_back([input](const Evidence&, Summary& s) { s.flows = flow_summaries(*input); });
   return f;
 }
 
 Finding gauges_finding(const Case* input) {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.named("gauges.NAME", &Summary::gauges, &GaugeSummary::name, gauge_outputs(),
-            "of a load by [transducers](records.md), or `sliding.uplift`");
-  };
+  f.keys.named("gauges.NAME", &Summary::gauges, &GaugeSummary::name, gauge_outputs(),
+               "of a load by [transducers](records.md), or `sliding.uplift`");
   f.parts.emplace_back([input](const Evidence& e, Summary& s) { s.gauges = gauge_summaries(*input, e.simulation); });
   return f;
 }
@@ -158,10 +154,8 @@ Finding gauges_finding(const Case* input) {
 /// The loads by waves, and their checks by formulas.
 Finding waves_finding(const Case* input) {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.named("wave_loads.NAME", &Summary::waves, &WaveLoadSummary::name, wave_load_outputs(),
-            "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)");
-  };
+  f.keys.named("wave_loads.NAME", &Summary::waves, &WaveLoadSummary::name, wave_load_outputs(),
+               "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)");
   f.parts.emplace_back([input](const Evidence& e, Summary& s) {
     s.waves = wave_summaries(*input);
     s.formula_checks = formula_checks(s.waves, e.scene.limits);
@@ -198,10 +192,8 @@ NumberedWarnings peaks_far_apart(const std::vector<MeasuredSummary>& measured) {
 
 Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* records) {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.named("measured.NAME", &Summary::measured, &MeasuredSummary::name, measured_outputs(),
-            "of a [record](records.md#the-response) of `[measured]`");
-  };
+  f.keys.named("measured.NAME", &Summary::measured, &MeasuredSummary::name, measured_outputs(),
+               "of a [record](records.md#the-response) of `[measured]`");
   f.parts.emplace_back([input, records](const Evidence& e, Summary& s) {
     if (!records->empty())
       s.measured =

@@ -304,11 +304,10 @@ std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
 
 Finding base_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("base", &Summary::base, base_outputs(),
-             "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-             "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
-  };
+  f.keys.object(
+      "base", &Summary::base, base_outputs(),
+      "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
+      "in contact, in the rows of `/history`; null where neither `[sliding]` nor the water level gives W'");
   f.parts.emplace_back([](const Evidence& e, Summary& s) {
     const std::optional<ShearResponse>& response = e.of(find_shear);
     s.loads_elsewhere = response && acts_elsewhere(e.simulation, *response);

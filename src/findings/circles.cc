@@ -311,12 +311,11 @@ std::vector<double> shear_of(const Evidence& e) {
 
 Finding circles_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("circles", &Summary::circles, circles_outputs(),
-             "[slip circles](circles.md) through mound and ground under the caisson; null where no region has a "
-             "strength, and where `why_no_circles` says so")
-        .reason("why_no_circles", &Summary::why_no_circles, "why not; null where they are there");
-  };
+  f.keys
+      .object("circles", &Summary::circles, circles_outputs(),
+              "[slip circles](circles.md) through mound and ground under the caisson; null where no region has a "
+              "strength, and where `why_no_circles` says so")
+      .reason("why_no_circles", &Summary::why_no_circles, "why not; null where they are there");
   f.warnings = circle_warnings;
   f.checks = circle_checks;
   return f.part(&Summary::circles, find_circles).part(&Summary::why_no_circles, find_why_no_circles);

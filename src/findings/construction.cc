@@ -99,10 +99,8 @@ std::optional<ConstructionSummary> find_construction(const Solution& solution) {
 
 Finding construction_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("construction", &Summary::construction, construction_outputs(),
-             "how the section was [built in stages](construction.md); else null");
-  };
+  f.keys.object("construction", &Summary::construction, construction_outputs(),
+                "how the section was [built in stages](construction.md); else null");
   f.of_scene = drained_warnings;
   return f.part(&Summary::construction, find_construction);
 }

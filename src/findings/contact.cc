@@ -96,10 +96,8 @@ bool is_solved_with_friction(const Summary& summary) {
 
 Finding contact_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("contact", &Summary::contact, contact_outputs(),
-             "[slip and uplift node by node](contact.md); null where the bottom is bonded");
-  };
+  f.keys.object("contact", &Summary::contact, contact_outputs(),
+                "[slip and uplift node by node](contact.md); null where the bottom is bonded");
   f.warnings = warnings_of_contact;
   f.skipped = skipped_nodes;
   return f.part(&Summary::contact, find_contact);

@@ -461,12 +461,11 @@ OutputSchema<CyclesSummary> cycles_outputs() {
 
 Finding cycles_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("cycles", &Summary::cycles, cycles_outputs(),
-             "[residual pore pressure, settlement and tilt of a storm](cycles.md); null without [cycles], and where "
-             "`why_no_cycles` says so")
-        .reason("why_no_cycles", &Summary::why_no_cycles, "why not, where a storm is given; null where they are there");
-  };
+  f.keys
+      .object("cycles", &Summary::cycles, cycles_outputs(),
+              "[residual pore pressure, settlement and tilt of a storm](cycles.md); null without [cycles], and where "
+              "`why_no_cycles` says so")
+      .reason("why_no_cycles", &Summary::why_no_cycles, "why not, where a storm is given; null where they are there");
   f.warnings = cycles_warnings;
   f.checks = cycles_checks;
   return f.part(&Summary::cycles, find_cycles).part(&Summary::why_no_cycles, find_why_no_cycles);

@@ -48,18 +48,20 @@ const std::vector<Finding>& findings() {
   return rows;
 }
 
-std::vector<Finding> with(const std::vector<Finding>& also) {
-  std::vector<Finding> all = findings();
-  all.insert(all.end(), also.begin(), also.end());
+/// All of these and the others, which must outlive the list.
+std::vector<const Finding*> with(const std::vector<Finding>& also) {
+  std::vector<const Finding*> all;
+  for (const std::vector<Finding>* list : {&findings(), &also})
+    for (const Finding& finding : *list) all.push_back(&finding);
   return all;
 }
 
 /// What a slot of all findings gives, in one list.
 template <class List, class... Given, class... Args>
-List gather(const std::vector<Finding>& all, std::function<List(Given...)> Finding::*slot, const Args&... args) {
+List gather(const std::vector<const Finding*>& all, std::function<List(Given...)> Finding::*slot, const Args&... args) {
   List list;
-  for (const Finding& finding : all)
-    if (finding.*slot) append(list, (finding.*slot)(args...));
+  for (const Finding* finding : all)
+    if (finding->*slot) append(list, (finding->*slot)(args...));
   return list;
 }
 
@@ -97,10 +99,10 @@ OutputSchema<Skipped> skipped_outputs() {
 
 Checks checks_of(const Scene& scene, const Summary& summary, const std::vector<Finding>& also) {
   Checks all;
-  for (const Finding& finding : with(also)) {
-    if (!finding.checks) continue;
-    Checks list = finding.checks(scene, summary);
-    if (!summary.why_void.empty() && !finding.needs_no_march)
+  for (const Finding* finding : with(also)) {
+    if (!finding->checks) continue;
+    Checks list = finding->checks(scene, summary);
+    if (!summary.why_void.empty() && !finding->needs_no_march)
       for (Check& check : list) check = not_checked(check, "void: there is no state at rest, see no_rest");
     append(all, list);
   }
@@ -126,10 +128,10 @@ NumberedWarnings route_warnings(const Checks& checks) {
 namespace {
 
 Summary find(const Evidence& evidence, const std::vector<Finding>& also) {
-  const std::vector<Finding> all = with(also);
+  const std::vector<const Finding*> all = with(also);
   Summary summary;
-  for (const Finding& finding : all)
-    for (const auto& part : finding.parts) part(evidence, summary);
+  for (const Finding* finding : all)
+    for (const auto& part : finding->parts) part(evidence, summary);
   std::optional<double> peak_time;
   if (summary.response) peak_time = summary.response->peak_shear_time;
   summary.warnings = gather(all, &Finding::of_scene, evidence.simulation, peak_time);
@@ -170,8 +172,7 @@ std::vector<Skipped> skipped(const Simulation& simulation, bool reduced, const s
 
 OutputSchema<Summary> keys_of(const std::vector<Finding>& also) {
   OutputSchema<Summary> keys;
-  for (const Finding& finding : with(also))
-    if (finding.keys) finding.keys(keys);
+  for (const Finding* finding : with(also)) keys.keys_of([](const Summary& s) { return &s; }, finding->keys);
   add_lists(keys);
   return keys;
 }

@@ -18,8 +18,7 @@ using SkippedList = std::vector<Skipped>;
 
 /// Every slot may be empty.
 struct Finding {
-  /// Declares its keys.
-  std::function<void(OutputSchema<Summary>&)> keys;
+  OutputSchema<Summary> keys;
   /// Warnings of a scene that are known without solving it; the time of the peak of F_T, where it is known (s).
   std::function<NumberedWarnings(const Simulation&, const std::optional<double>& peak_time)> of_scene;
   /// The same of what is skipped; whether a reduced model solves the scene.

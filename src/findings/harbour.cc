@@ -144,10 +144,8 @@ OutputSchema<HarbourSummary> harbour_outputs() {
 
 Finding harbour_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("harbour", &Summary::harbour, harbour_outputs(),
-             "still water at two levels ([harbour_level](warnings.md)); null where it has one");
-  };
+  f.keys.object("harbour", &Summary::harbour, harbour_outputs(),
+                "still water at two levels ([harbour_level](warnings.md)); null where it has one");
   f.of_scene = harbour_warnings;
   return f.part(&Summary::harbour, find_harbour);
 }

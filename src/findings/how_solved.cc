@@ -166,49 +166,44 @@ NumberedWarnings balance_warnings(const Evidence& e, const Summary&) {
 
 Finding discretisation_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.key("title", &Summary::title, "", "that of the case")
-        .program()
-        .object("verdict", &Summary::verdict, verdict_outputs(), "what all checks say together; null without any")
-        .object("discretisation", &Summary::discretisation, discretisation_outputs(), "how the scene was solved");
-  };
+  f.keys.key("title", &Summary::title, "", "that of the case")
+      .program()
+      .object("verdict", &Summary::verdict, verdict_outputs(), "what all checks say together; null without any")
+      .object("discretisation", &Summary::discretisation, discretisation_outputs(), "how the scene was solved");
   f.warnings = balance_warnings;
   return f.part(&Summary::title, find_title).part(&Summary::discretisation, &Solution::discretisation);
 }
 
 Finding reduction_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("reduction", &Summary::reduction, reduction_outputs(),
-             "[how far two nested models lie apart](reduced.md); null where the case was marched");
-  };
+  f.keys.object("reduction", &Summary::reduction, reduction_outputs(),
+                "[how far two nested models lie apart](reduced.md); null where the case was marched");
   f.warnings = inexact_warnings;
   return f.part(&Summary::reduction, &Solution::reduction);
 }
 
 Finding periods_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    const auto none = [](const Summary& summary) {
-      const std::string why = why_no_periods(summary);
-      return why.empty() ? std::nullopt : std::make_optional(why);
-    };
-    s.list("periods[]", &Summary::periods, period_outputs(),
-           "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
-           "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made: a march has "
-           "one with output.periods, of the ground before it yields")
-        .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
+  const auto none = [](const Summary& summary) {
+    const std::string why = why_no_periods(summary);
+    return why.empty() ? std::nullopt : std::make_optional(why);
   };
+  f.keys
+      .list(
+          "periods[]", &Summary::periods, period_outputs(),
+          "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
+          "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made: a march has "
+          "one with output.periods, of the ground before it yields")
+      .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   return f.part(&Summary::periods, find_periods).part(&Summary::why_no_periods, find_why_no_periods);
 }
 
 Finding ways_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.list("ladder[]", &Summary::ladder, ladder_outputs(),
-           "the [ways](reduced.md#the-ladder) that were tried, in their order")
-        .object("timing", &Summary::timing, timing_outputs(), "wall times");
-  };
+  f.keys
+      .list("ladder[]", &Summary::ladder, ladder_outputs(),
+            "the [ways](reduced.md#the-ladder) that were tried, in their order")
+      .object("timing", &Summary::timing, timing_outputs(), "wall times");
   return f.part(&Summary::ladder, &Solution::ladder).part(&Summary::timing, find_timing);
 }
 

@@ -207,17 +207,16 @@ OutputSchema<LiquefiedPlace> place_outputs() {
 
 Finding liquefaction_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    const auto keys =
-        OutputSchema<Liquefaction>()
-            .key("factor", &Liquefaction::factor, "", "least of all places; null where nothing presses upward")
-            .list("places[]", &Liquefaction::places, place_outputs(), "each region on each side of the caisson");
-    s.object("liquefaction", &Summary::liquefaction, keys,
-             "[momentary liquefaction](liquefaction.md) of the ground beside the caisson, where `limits.liquefaction` "
-             "asks for it; else null")
-        .reason("why_no_liquefaction", &Summary::why_no_liquefaction,
-                "why it was not found though asked for; null where it was");
-  };
+  const auto keys =
+      OutputSchema<Liquefaction>()
+          .key("factor", &Liquefaction::factor, "", "least of all places; null where nothing presses upward")
+          .list("places[]", &Liquefaction::places, place_outputs(), "each region on each side of the caisson");
+  f.keys
+      .object("liquefaction", &Summary::liquefaction, keys,
+              "[momentary liquefaction](liquefaction.md) of the ground beside the caisson, where `limits.liquefaction` "
+              "asks for it; else null")
+      .reason("why_no_liquefaction", &Summary::why_no_liquefaction,
+              "why it was not found though asked for; null where it was");
   f.warnings = liquefaction_warnings;
   f.checks = liquefaction_checks;
   return f.part(&Summary::liquefaction, find_liquefaction)

@@ -189,13 +189,12 @@ OutputSchema<PeakSafety> peak_outputs() {
 
 Finding peak_safety_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("peak_safety", &Summary::peak_safety, peak_outputs(),
-             "factor by which [strength may fall at the peak of the wave](peak-strength.md), where "
-             "`limits.peak_safety` asks for it; else null")
-        .reason("why_no_peak_safety", &Summary::why_no_peak_safety,
-                "why it was not found though asked for; null where it was");
-  };
+  f.keys
+      .object("peak_safety", &Summary::peak_safety, peak_outputs(),
+              "factor by which [strength may fall at the peak of the wave](peak-strength.md), where "
+              "`limits.peak_safety` asks for it; else null")
+      .reason("why_no_peak_safety", &Summary::why_no_peak_safety,
+              "why it was not found though asked for; null where it was");
   f.warnings = peak_warnings;
   f.checks = peak_checks;
   return f.part(&Summary::peak_safety, find_peak_safety).part(&Summary::why_no_peak_safety, find_why_no_peak_safety);

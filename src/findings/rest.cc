@@ -94,15 +94,14 @@ std::string find_why_void(const Evidence& e) {
 
 Finding rest_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("safety", &Summary::safety, safety_outputs(),
-             "factor by which [strength may fall at rest](yielding.md#strength-reduction), if asked for by "
-             "`initial.safety` or "
-             "`limits.safety`, and where Mohr-Coulomb soil found no rest; else null")
-        .reason("void", &Summary::why_void,
-                "why nothing here that was marched is of a section that stands: its ground [has no state at "
-                "rest](yielding.md#ground-that-does-not-stand); null where it has");
-  };
+  f.keys
+      .object("safety", &Summary::safety, safety_outputs(),
+              "factor by which [strength may fall at rest](yielding.md#strength-reduction), if asked for by "
+              "`initial.safety` or "
+              "`limits.safety`, and where Mohr-Coulomb soil found no rest; else null")
+      .reason("void", &Summary::why_void,
+              "why nothing here that was marched is of a section that stands: its ground [has no state at "
+              "rest](yielding.md#ground-that-does-not-stand); null where it has");
   f.warnings = rest_warnings;
   f.checks = rest_checks;
   f.needs_no_march = true;

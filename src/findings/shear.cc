@@ -208,12 +208,10 @@ OutputSchema<LoadOnCaisson> load_outputs() {
 
 Finding shear_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    const auto of_caisson = [](const Summary& summary) { return summary.response ? &summary : nullptr; };
-    s.object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
-        .named("loads.NAME", &Summary::loads, &LoadOnCaisson::name, load_outputs(),
-               "resultant on the caisson per unit of the history");
-  };
+  const auto of_caisson = [](const Summary& summary) { return summary.response ? &summary : nullptr; };
+  f.keys.object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
+      .named("loads.NAME", &Summary::loads, &LoadOnCaisson::name, load_outputs(),
+             "resultant on the caisson per unit of the history");
   f.skipped_of_scene = skipped_shear;
   f.warnings = growth_warnings;
   return f.part(&Summary::response, find_response)
@@ -224,9 +222,7 @@ Finding shear_finding() {
 
 Finding energy_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("energy", &Summary::energy, energy_outputs(), "at the end; null where a reduced model answered");
-  };
+  f.keys.object("energy", &Summary::energy, energy_outputs(), "at the end; null where a reduced model answered");
   return f.part(&Summary::energy, find_energy);
 }
 

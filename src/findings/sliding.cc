@@ -420,12 +420,11 @@ DesignSliding design_by_nodes(const ContactSummary& contact) {
 
 Finding sliding_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("sliding", &Summary::sliding, sliding_outputs(),
-             "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
-             "F_T + mu U. In `sliding_coupled` alone the slip acts back on the scene; for all other numbers F_T is "
-             "that of a caisson bonded to its mound");
-  };
+  f.keys.object(
+      "sliding", &Summary::sliding, sliding_outputs(),
+      "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
+      "F_T + mu U. In `sliding_coupled` alone the slip acts back on the scene; for all other numbers F_T is "
+      "that of a caisson bonded to its mound");
   f.warnings = slip_warnings;
   f.skipped = skipped_slips;
   f.checks = sliding_checks;

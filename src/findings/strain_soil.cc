@@ -56,9 +56,7 @@ NumberedWarnings soil_warnings(const Evidence& e, const Summary& s) {
 
 Finding strain_soil_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows strain or velocity; else null");
-  };
+  f.keys.object("soil", &Summary::soil, soil_outputs(), "of soil that follows strain or velocity; else null");
   f.warnings = soil_warnings;
   return f.part(&Summary::soil, find_soil);
 }

@@ -115,10 +115,8 @@ Finding cavitation_finding() {
 
 Finding strength_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.list("strength[]", &Summary::strength, strength_outputs(),
-           "of each region with a [strength](warnings.md#strength)");
-  };
+  f.keys.list("strength[]", &Summary::strength, strength_outputs(),
+              "of each region with a [strength](warnings.md#strength)");
   f.skipped_of_scene = no_strength;
   f.warnings = strength_warnings;
   f.skipped = skipped_strength;

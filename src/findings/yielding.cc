@@ -300,11 +300,9 @@ NumberedWarnings yielding_warnings(const Summary& summary) {
 
 Finding yielding_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.object("nonlinear", &Summary::nonlinear, nonlinear_outputs(), "of [soil that yields](yielding.md); else null")
-        .object("residual", &Summary::residual, residual_outputs(),
-                "where the caisson came to rest at the end of the run; null where no soil yields");
-  };
+  f.keys.object("nonlinear", &Summary::nonlinear, nonlinear_outputs(), "of [soil that yields](yielding.md); else null")
+      .object("residual", &Summary::residual, residual_outputs(),
+              "where the caisson came to rest at the end of the run; null where no soil yields");
   f.warnings = [](const Evidence& e, const Summary& summary) {
     NumberedWarnings list = yielding_warnings(summary);
     append(list, moving_warnings(e, summary));
@@ -317,10 +315,8 @@ Finding yielding_finding() {
 
 Finding densification_finding() {
   Finding f;
-  f.keys = [](OutputSchema<Summary>& s) {
-    s.list("densification[]", &Summary::densification, densification_outputs(),
-           "[denser soils](yielding.md#densification)");
-  };
+  f.keys.list("densification[]", &Summary::densification, densification_outputs(),
+              "[denser soils](yielding.md#densification)");
   f.warnings = densification_warnings;
   return f.part(&Summary::densification, find_densification);
 }
