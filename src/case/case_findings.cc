@@ -14,11 +14,9 @@
 #include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
-#include "findings/effective_base.h"
 #include "findings/histories.h"
 #include "findings/plausibility.h"
 #include "findings/topics.h"
-#include "output/section_outputs.h"
 
 namespace upbead {
 

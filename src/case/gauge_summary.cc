@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "base/text.h"
 #include "case/case_run.h"
 #include "case/load_source.h"
 #include "fem/compile.h"

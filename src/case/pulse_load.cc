@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <string>
 
-#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/load_source.h"

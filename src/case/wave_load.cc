@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "case/case_checks.h"

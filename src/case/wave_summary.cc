@@ -1,5 +1,4 @@
 // What a load by a wave is, in words and numbers, and what formulas say of the section under it.
-#include <algorithm>
 
 #include "base/text.h"
 #include "case/wave_load.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/load_source.h"

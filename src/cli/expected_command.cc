@@ -3,13 +3,11 @@
 #include <iostream>
 
 #include "base/interrupt.h"
-#include "base/journal.h"
 #include "base/parts.h"
 #include "base/work_lock.h"
 #include "cli/design_command.h"
 #include "design/expected_report.h"
 #include "design/lives.h"
-#include "output/output_text.h"
 #include "respond/node_slips.h"
 
 namespace upbead {

@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "base/files.h"
-#include "base/text.h"
 #include "case/new_case.h"
 #include "cli/command.h"
 #include "upbead/base/error.h"

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "base/text.h"
 #include "case/cfd/flow_keys.h"
 #include "case/cfd/flow_record.h"
 #include "cli/command.h"

@@ -6,7 +6,6 @@
 
 #include "base/text.h"
 #include "case/case_run.h"
-#include "case/input_files.h"
 #include "case/scene_text.h"
 #include "case/script_trust.h"
 #include "cli/reduced_case.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"

@@ -9,7 +9,6 @@
 #include "base/launch.h"
 #include "base/progress.h"
 #include "base/work_lock.h"
-#include "case/script_trust.h"
 #include "cli/study_options.h"
 #include "study/local_pool.h"
 #include "study/runner.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "base/stopwatch.h"
 #include "cli/command.h"

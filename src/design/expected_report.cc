@@ -1,6 +1,5 @@
 #include "design/expected_report.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"

@@ -1,7 +1,6 @@
 // What `upbead expected` computes for a design, and its output: summary.json, results.h5, and in brief.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <optional>

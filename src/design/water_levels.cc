@@ -1,7 +1,6 @@
 #include "design/water_levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/text.h"

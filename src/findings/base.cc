@@ -1,6 +1,5 @@
 // What presses on the base: edges, eccentricity, overturning, lift.
 #include <algorithm>
-#include <cmath>
 
 #include "base/numbers.h"
 #include "base/text.h"

@@ -1,6 +1,5 @@
 // What the bottom does node by node, where the caisson may slip and lift.
 #include <algorithm>
-#include <cmath>
 
 #include "base/text.h"
 #include "findings/errors.h"

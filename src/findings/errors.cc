@@ -10,7 +10,6 @@
 #include "findings/topics.h"
 #include "response/shear_response.h"
 #include "response/spectrum.h"
-#include "response/time_choice.h"
 #include "run/accuracy/accuracy.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/text.h"
 #include "findings/topics.h"
 #include "output/checks.h"
 #include "output/limits.h"

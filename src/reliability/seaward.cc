@@ -4,7 +4,6 @@
 #include <boost/math/interpolators/makima.hpp>
 #include <memory>
 
-#include "base/text.h"
 #include "upbead/waves/standing_stability.h"
 
 namespace upbead {

@@ -1,7 +1,6 @@
 #include "respond/node_slips.h"
 
 #include <algorithm>
-#include <map>
 
 #include "base/progress.h"
 #include "fem/caisson/reading_names.h"

@@ -1,7 +1,6 @@
 // S of waves of lives with slip and lift node by node, on the reduced ground of a model.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "expected/dynamic_law.h"

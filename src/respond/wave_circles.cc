@@ -1,7 +1,6 @@
 #include "respond/wave_circles.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace upbead {
 

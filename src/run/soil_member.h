@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "dynamics/reduced_family.h"
 #include "fem/compile.h"

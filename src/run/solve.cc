@@ -9,7 +9,6 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "dynamics/joined.h"
-#include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
 #include "response/reduction.h"

@@ -6,7 +6,6 @@
 #include "case/case_run.h"
 #include "dynamics/basis.h"
 #include "fem/system_scene.h"
-#include "model/equal.h"
 #include "model/exclusions.h"
 #include "response/reduction.h"
 #include "run/derived.h"

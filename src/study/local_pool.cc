@@ -18,7 +18,6 @@
 #include <string>
 #include <system_error>
 
-#include "base/cores.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

@@ -1,6 +1,5 @@
 #include "study_tables.h"
 
-#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
 

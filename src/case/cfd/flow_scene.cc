@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "base/numbers.h"
-#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/cfd/flow_keys.h"

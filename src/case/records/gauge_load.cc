@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/records/record_table.h"

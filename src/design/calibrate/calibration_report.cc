@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "base/text.h"
 #include "output/output_text.h"
 #include "output/result_file.h"
 #include "upbead/base/error.h"

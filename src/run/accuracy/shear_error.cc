@@ -12,7 +12,6 @@
 #include "model/exclusions.h"
 #include "response/reduction.h"
 #include "response/spectrum.h"
-#include "response/time_choice.h"
 #include "run/derived.h"
 #include "run/solve.h"
 #include "upbead/base/error.h"

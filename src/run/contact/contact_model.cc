@@ -1,7 +1,5 @@
 #include "run/contact/contact_model.h"
 
-#include <cmath>
-
 #include "base/stopwatch.h"
 #include "fem/caisson/readings.h"
 #include "response/reduction.h"

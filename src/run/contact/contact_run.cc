@@ -1,6 +1,5 @@
 #include "run/contact/contact_run.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>

@@ -9,9 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "base/progress.h"
 #include "base/stopwatch.h"
-#include "base/text.h"
 #include "dynamics/ground_steps.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
