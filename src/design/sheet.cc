@@ -39,16 +39,15 @@ std::vector<Disagreement> disagreements_of(const std::vector<SheetRow>& rows) {
   return list;
 }
 
-/// Two parts may have a scene in common; what is told of one wave is not told of the section again.
+}  // namespace
+
 void append_new(NumberedWarnings& list, const NumberedWarnings& more) {
   for (const NumberedWarning& warning : more)
     if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) {
-          return told.name == warning.name && told.what.find(warning.what) != std::string::npos;
+          return told.name == warning.name && told.text().find(warning.what) != std::string::npos;
         }))
       list.push_back(warning);
 }
-
-}  // namespace
 
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits) {
   Sheet sheet;

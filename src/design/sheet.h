@@ -43,6 +43,10 @@ struct Sheet {
   std::vector<std::string> not_covered;  ///< ways to fail that no part looks at
 };
 
+/// Adds what was not told before: two parts may have a scene in common, and what is told of one wave is not told of the
+/// section again.
+void append_new(NumberedWarnings& list, const NumberedWarnings& more);
+
 /// No check is left out, and no limit that none judges: one with a way to fail of its own stands by itself.
 Sheet sheet_of(const std::string& title, std::vector<SheetPart> parts, const Limits& limits);
 

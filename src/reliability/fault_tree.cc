@@ -43,15 +43,15 @@ double FaultTree::margin(const std::vector<double>& events) const {
   return margin(root_, events);
 }
 
-namespace {
-
-using CutSets = std::vector<std::vector<std::size_t>>;
-
 std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
   std::vector<std::size_t> both;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
   return both;
 }
+
+namespace {
+
+using CutSets = std::vector<std::vector<std::size_t>>;
 
 /// Without sets that contain another one.
 CutSets least(const CutSets& sets) {

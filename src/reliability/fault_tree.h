@@ -36,6 +36,9 @@ class FaultTree {
   static std::vector<std::vector<std::size_t>> cut_sets(const Node& node);
 };
 
+/// The union of two sets that ascend.
+std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b);
+
 /// The gates that are part of no other one; each must have 'any' or 'all'.
 std::vector<std::string> tops_of(const std::map<std::string, SystemNode>& gates);
 

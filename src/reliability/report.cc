@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "case/formula_checks.h"
 #include "case/formula_wave.h"
+#include "design/sheet.h"
 #include "output/output_text.h"
 #include "reliability/answer.h"
 #include "upbead/waves/goda.h"
@@ -111,15 +112,6 @@ NumberedWarnings wave_warnings(const DesignTables& tables, const std::string& na
   NumberedWarnings list = warnings(tables.section, tables.water, wave, goda.at(wave.height));
   for (NumberedWarning& warning : list) warning.what = "wave " + name + ": " + warning.what;
   return list;
-}
-
-/// What was not told before, even of a wave.
-void append_new(NumberedWarnings& list, const NumberedWarnings& more) {
-  for (const NumberedWarning& warning : more)
-    if (std::none_of(list.begin(), list.end(), [&](const NumberedWarning& told) {
-          return told.name == warning.name && told.text().find(warning.what) != std::string::npos;
-        }))
-      list.push_back(warning);
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <openturns/OT.hxx>
 
 #include "base/text.h"
 #include "reliability/chance.h"
+#include "reliability/fault_tree.h"
 #include "reliability/union_form.h"
 
 namespace upbead {
@@ -44,12 +44,6 @@ double intersection(const std::vector<DesignPointSearch>& events, const std::vec
   return std::clamp(p, 0., least);
 }
 
-std::vector<std::size_t> merged(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
-  std::vector<std::size_t> both;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return both;
-}
-
 /// What a probability lies between.
 struct Bounds {
   double low = 0., high = 1.;
@@ -66,7 +60,7 @@ Bounds bounds_of(const std::vector<DesignPointSearch>& events, const CutSets& se
     double sum = 0., largest = 0.;
     for (std::size_t k = 0; k < i; ++k) {
       const double both =
-          std::min(order[i].first, intersection(events, merged(sets[order[i].second], sets[order[k].second])));
+          std::min(order[i].first, intersection(events, united(sets[order[i].second], sets[order[k].second])));
       sum += both;
       largest = std::max(largest, both);
     }
@@ -85,7 +79,7 @@ double by_inclusion_and_exclusion(const std::vector<DesignPointSearch>& events, 
     for (std::size_t i = 0; i < sets.size(); ++i) {
       if (!(some >> i & 1UL)) continue;
       odd = !odd;
-      all = merged(all, sets[i]);
+      all = united(all, sets[i]);
     }
     p += (odd ? 1. : -1.) * intersection(events, all);
   }

@@ -258,43 +258,30 @@ TableColumn varied_column(const Study& study, std::size_t key) {
   return column;
 }
 
-void add_read(const Study& study, const Results& results, std::size_t read, std::vector<TableColumn>& columns) {
-  const std::string& path = study.reads[read];
-  TableColumn run{"read/" + path + "/run", "", "number of the run", {}, {}};
-  TableColumn value{"read/" + path + "/value", "", path + " of summary.json (SI)", {}, {}};
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i] && results[i]->done && results[i]->values[read]) {
-      run.numbers.push_back(static_cast<double>(i));
-      value.numbers.push_back(*results[i]->values[read]);
-    }
+/// A number of the runs that have it, beside the numbers of these runs.
+template <class Of>
+void add_numbers(const Results& results, const std::string& group, const std::string& what, Of number_of,
+                 std::vector<TableColumn>& columns) {
+  TableColumn run{group + "/run", "", "number of the run", {}, {}}, value{group + "/value", "", what, {}, {}};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::optional<double> number = results[i] ? number_of(*results[i]) : std::nullopt;
+    if (!number) continue;
+    run.numbers.push_back(static_cast<double>(i));
+    value.numbers.push_back(*number);
+  }
   columns.push_back(run);
   columns.push_back(value);
 }
 
-/// Of the runs that one model of all soils answers.
-void add_estimates(const Results& results, std::vector<TableColumn>& columns) {
-  TableColumn run{"error_estimate/run", "", "number of the run", {}, {}};
-  TableColumn value{"error_estimate/value",
-                    "",
-                    "estimated error of the history of F_T over its peak, as one model answers all soils",
-                    {},
-                    {}};
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i] && results[i]->error_estimate) {
-      run.numbers.push_back(static_cast<double>(i));
-      value.numbers.push_back(*results[i]->error_estimate);
-    }
-  if (run.numbers.empty()) return;
-  columns.push_back(run);
-  columns.push_back(value);
+/// Whether one model of all soils answers some of the runs.
+bool are_estimated(const Results& results) {
+  return std::any_of(results.begin(), results.end(), [](const auto& r) { return r && r->error_estimate.has_value(); });
 }
 
 }  // namespace
 
 std::string study_csv(const Study& study, const Results& results) {
-  const bool several = study.cases.size() > 1, sobol = has_matrices(study),
-             estimated = std::any_of(results.begin(), results.end(),
-                                     [](const auto&r) { return r && r->error_estimate.has_value(); });
+  const bool several = study.cases.size() > 1, sobol = has_matrices(study), estimated = are_estimated(results);
   std::string text = several ? "run,case" : "run";
   if (sobol) text += ",point,matrix";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
@@ -331,10 +318,17 @@ std::string study_h5(const Study& study, const Results& results) {
     message.texts.push_back(results[i] ? results[i]->message : "missing");
   }
   std::vector<TableColumn> columns{number, done, file, message};
-  add_estimates(results, columns);
+  if (are_estimated(results))
+    add_numbers(
+        results, "error_estimate",
+        "estimated error of the history of F_T over its peak, as one model answers all soils",
+        [](const RunResult& r) { return r.error_estimate; }, columns);
   if (has_matrices(study)) add_matrices(study, columns);
   for (std::size_t key = 0; key < study.keys.size(); ++key) columns.push_back(varied_column(study, key));
-  for (std::size_t read = 0; read < study.reads.size(); ++read) add_read(study, results, read, columns);
+  for (std::size_t read = 0; read < study.reads.size(); ++read)
+    add_numbers(
+        results, "read/" + study.reads[read], study.reads[read] + " of summary.json (SI)",
+        [read](const RunResult& r) { return r.done ? r.values[read] : std::nullopt; }, columns);
   return table_file(study.title, columns);
 }
 
