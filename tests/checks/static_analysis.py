@@ -29,38 +29,8 @@ LAYERS = [*sorted(path.name for path in (ROOT / "src").iterdir() if path.is_dir(
 # gcc's own options, and gcc's precompiled headers, which clang cannot read
 FOREIGN = re.compile(r" -Winvalid-pch| -include \S*cmake_pch\.hxx| -Wno-maybe-uninitialized")
 
-# a run of a tenth of a second: a column of 4 cells, 7 steps
-SMALLEST_CASE = """title = "smallest run"
-[mesh]
-geometry = "column"
-[regions.soil]
-kind = "porous"
-shear_modulus = 100e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.01
-[boundaries.base]
-displacement = "fixed"
-pressure = "sealed"
-[boundaries.left]
-displacement = "roller"
-pressure = "sealed"
-[boundaries.right]
-displacement = "roller"
-pressure = "sealed"
-[boundaries.top]
-pressure = "open"
-[loads.push]
-boundary = "top"
-kind = "traction"
-direction = [0.0, -1.0]
-pulse = { shape = "triangle", peak = 1e3, duration = 0.1 }
-[time]
-end = 0.12
-step = 0.02
-scheme = "sdirk4"
-"""
+# a run of a tenth of a second: 7 steps
+SMALLEST_CASE = (ROOT / "tests/support/column.toml").read_text() + 'step = 0.02\nscheme = "sdirk4"\n'
 
 
 def layer_of(path):

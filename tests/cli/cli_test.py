@@ -7,7 +7,6 @@ usage: cli_test.py PROGRAM CASES_FOLDER
 import json
 import os
 import pathlib
-import pty
 import re
 import resource
 import shutil
@@ -19,7 +18,7 @@ import unittest
 import h5py
 import numpy
 
-from program import CASES, PROGRAM, ProgramTest, main, upbead
+from program import CASES, PROGRAM, ProgramTest, main, on_a_terminal, upbead
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
 import output_tables  # noqa: E402
@@ -305,18 +304,9 @@ class Cli(ProgramTest):
         self.assertEqual((self.folder / "taken").read_text(), "mine")
 
     def test_progress_is_one_line_on_a_terminal(self):
-        leader, follower = pty.openpty()
-        process = subprocess.Popen(
-            [PROGRAM, "run", CASES / "fig2b-model.toml", "--set", "time.step=1e-4", "--set", "mesh.parameters.cells=0.5"],
-            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=follower)
-        os.close(follower)
-        text = b""
-        try:
-            while chunk := os.read(leader, 4096):
-                text += chunk
-        except OSError:  # the terminal closes when the program ends
-            pass
-        self.assertEqual(process.wait(), 0)
+        code, text = on_a_terminal("run", CASES / "fig2b-model.toml", "--set", "time.step=1e-4", "--set", "mesh.parameters.cells=0.5",
+                                   cwd=self.folder)
+        self.assertEqual(code, 0)
         self.assertIn(b"solving", text)
         self.assertIn(b"%", text)
         self.assertNotIn(b"\n", text)

@@ -7,7 +7,6 @@ usage: expected_test.py PROGRAM CASES_FOLDER
 import json
 import os
 import pathlib
-import pty
 import signal
 import subprocess
 import sys
@@ -16,7 +15,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import CASES, PROGRAM, ProgramTest, upbead, wait_until_it_catches
+from program import CASES, PROGRAM, ProgramTest, on_a_terminal, upbead, wait_until_it_catches
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 from hand_made_model import write_oscillator  # noqa: E402
@@ -198,17 +197,8 @@ class Expected(ProgramTest):
         self.assertEqual(self.left_behind(), [])
 
     def test_progress_is_shown_on_a_terminal(self):
-        leader, follower = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "expected", HD10, *LIFE, "--set", "life.simulated_lives=50000"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=follower)
-        os.close(follower)
-        text = b""
-        try:
-            while chunk := os.read(leader, 4096):
-                text += chunk
-        except OSError:  # the terminal closes when the program ends
-            pass
-        self.assertEqual(process.wait(), 0)
+        code, text = on_a_terminal("expected", HD10, *LIFE, "--set", "life.simulated_lives=50000", cwd=self.folder)
+        self.assertEqual(code, 0)
         self.assertIn(b"simulating lives", text)
 
     def test_storms_are_drawn_without_a_record(self):

@@ -6,7 +6,9 @@ Tests with at_length in their names take so long that only `ctest -C long` runs 
 """
 
 import json
+import os
 import pathlib
+import pty
 import shutil
 import subprocess
 import sys
@@ -20,6 +22,20 @@ AT_LENGTH = sys.argv[3:] == ["at_length"]
 
 def upbead(*arguments, cwd=None, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+
+
+def on_a_terminal(*arguments, cwd):
+    """The exit code of the program whose errors go to a terminal, and what it wrote there."""
+    leader, follower = pty.openpty()
+    process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=cwd, stdout=subprocess.DEVNULL, stderr=follower)
+    os.close(follower)
+    text = b""
+    try:
+        while chunk := os.read(leader, 4096):
+            text += chunk
+    except OSError:  # the terminal closes when the program ends
+        pass
+    return process.wait(), text
 
 
 def with_keys(keys):

@@ -7,7 +7,6 @@ usage: study_test.py PROGRAM CASES_FOLDER
 import json
 import os
 import pathlib
-import pty
 import shutil
 import signal
 import subprocess
@@ -17,7 +16,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import CASES, PROGRAM, ProgramTest, main, upbead
+from program import CASES, PROGRAM, ProgramTest, main, on_a_terminal, upbead
 from studies import MANY, RANDOM, SHORT, SMALL, STUDY, StudyTest, preloaded
 
 
@@ -331,17 +330,8 @@ class Study(StudyTest):
     def test_progress_is_shown_on_a_terminal(self):
         (self.folder / "study.toml").write_text(SHORT)
         for jobs in ("1", "2"):
-            leader, follower = pty.openpty()
-            process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", jobs, "--restart"], cwd=self.folder,
-                                       stdout=subprocess.DEVNULL, stderr=follower)
-            os.close(follower)
-            text = b""
-            try:
-                while chunk := os.read(leader, 4096):
-                    text += chunk
-            except OSError:  # the terminal closes when the program ends
-                pass
-            self.assertEqual(process.wait(), 0)
+            code, text = on_a_terminal("study", "study.toml", "--jobs", jobs, "--restart", cwd=self.folder)
+            self.assertEqual(code, 0)
             self.assertIn(b"of 4 runs", text)
 
     def test_figures_of_a_grid_and_of_draws_at_length(self):

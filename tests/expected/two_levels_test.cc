@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "caissons.h"
 #include "expected/dynamic_law.h"
+#include "oscillator.h"
 #include "upbead/expected/sliding_law.h"
 #include "upbead/sliding/block.h"
 #include "upbead/sliding/combined.h"
@@ -66,26 +66,9 @@ TEST(TwoLevels, PressuresOnTheBaseAreThoseOfStability) {
     }
 }
 
-/// A mass on a spring and a dashpot of 1.5 Hz under a load in MN/m.
-ShearModel swaying_caisson() {
-  using Complex = std::complex<double>;
-  const double mass = medium_caisson().section.weight / 9.81, rate = 3. * std::acos(-1.), ratio = 0.1;
-  const Complex pole(-ratio * rate, rate * std::sqrt(1. - ratio * ratio)), x(0., -1. / (mass * pole.imag()));
-  ShearModel model;
-  model.modes.pole = Eigen::VectorXcd::Constant(1, pole);
-  model.modes.load = Eigen::MatrixXcd::Constant(1, 1, 1e6);
-  model.modes.reading = Eigen::MatrixXcd::Constant(1, 1, mass * (rate * rate + 2. * ratio * rate * pole) * x);
-  model.modes.feedthrough = model.modes.impulse = Eigen::MatrixXd::Zero(1, 1);
-  model.modes.load_name = {"impact"};
-  model.modes.reading_label = {{"shear_force", "N/m", "F_T"}};
-  model.force_per_load = 1e6;
-  model.caisson_mass = mass;
-  return model;
-}
-
 TEST(TwoLevels, TheLawDynamicHasThePushInItsForce) {
-  const auto answer = std::make_shared<const ShearAnswer>(swaying_caisson(), 2e-3, 10.);
-  const auto unbounded = std::make_shared<const ShearAnswer>(swaying_caisson(), 2e-3, 0.1);  // nothing is skipped
+  const auto answer = std::make_shared<const ShearAnswer>(oscillator(1.5, 0.1), 2e-3, 10.);
+  const auto unbounded = std::make_shared<const ShearAnswer>(oscillator(1.5, 0.1), 2e-3, 0.1);  // nothing is skipped
   for (const double level : {-3., 1.}) {
     const Breakwater caisson = with_harbour(level);
     const StillWater still = still_water(caisson.section, caisson.water);

@@ -5,7 +5,6 @@
 
 #include "fem/limit_state.h"
 
-#include <deal.II/grid/grid_tools.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,58 +15,12 @@
 #include "fem/ground.h"
 #include "fem/rest_state.h"
 #include "fem/second_order_cone.h"
-#include "tensor_mesh.h"
+#include "slope.h"
 
 namespace upbead::test {
 namespace limit_state_test {
 
-constexpr double H = 10., weight = 20e3, pi = 3.14159265358979323846;  // m, N/m3
-
-/// A slope from the crest at x = 0 to the toe at x = run, on ground down to y = -below; `uneven`: by which part of
-/// their size nodes are moved at random.
-struct Slope {
-  double run = 2. * H, below = 0.5 * H, size = 1.25, uneven = 0.;
-  unsigned seed = 1;
-  double behind = 1.2 * H, before = 1.2 * H;
-  double top(double x) const { return run > 0. ? H * (1. - std::clamp(x / run, 0., 1.)) : H; }
-
-  std::unique_ptr<Mesh> mesh() const {
-    const auto lines = [this](double from, double to, double scale = 1.) {
-      return even_lines(from, to, static_cast<int>(std::lround((to - from) / size * scale)));
-    };
-    const auto beside = joined(lines(-behind, 0.), lines(run, run + before));
-    auto mesh = tensor_mesh(
-        run > 0. ? joined(beside, lines(0., run)) : beside, lines(0., 1., H + below),
-        [](const dealii::Point<dim>&) { return "soil"; },
-        [this](const dealii::Point<dim>& p) -> std::string {
-          if (p[0] < 1e-9 - behind || p[0] > run + before - 1e-9) return "sides";
-          return p[1] < 1e-9 ? "base" : p[1] > 1. - 1e-9 ? "surface" : "";
-        });
-    if (uneven > 0.) dealii::GridTools::distort_random(uneven, mesh->triangulation, true, seed);
-    dealii::GridTools::transform(
-        [this](const dealii::Point<dim>& p) { return dealii::Point<dim>(p[0], -below + p[1] * (top(p[0]) + below)); },
-        mesh->triangulation);
-    return mesh;
-  }
-};
-
-Scene scene_of(const Strength& strength, double unit_weight = weight) {
-  Scene scene;
-  scene.gravity = 10.;
-  Region& soil = scene.regions["soil"];
-  soil.kind = RegionKind::solid;
-  soil.deformation = Deformation::elastic;
-  soil.density = unit_weight / scene.gravity;
-  soil.shear_modulus = 4e7;
-  soil.poissons_ratio = 0.3;
-  soil.strength = strength;
-  soil.law = SoilLaw::mohr_coulomb;
-  scene.boundaries["base"].displacement = DisplacementCondition::fixed;
-  scene.boundaries["sides"].displacement = DisplacementCondition::roller;
-  scene.boundaries["surface"] = {};
-  scene.initial.emplace().water_level = -1e3;
-  return scene;
-}
+constexpr double H = Slope::height, weight = slope_weight, pi = 3.14159265358979323846;
 
 /// F of one circle by Bishop's simplified method (1955); infinite where it cuts nothing off.
 double bishop(const Slope& slope, const Strength& s, double x, double y, double R) {
@@ -121,7 +74,7 @@ TEST(LimitState, SlopesFailByTheWorstCircleWhateverTheirMesh) {
     slope.size = 2.;
     slope.uneven = 0.25;
     slope.seed = seed++;
-    const double F = middle(safety_factor(scene_of(soil), *slope.mesh(), {}));
+    const double F = middle(safety_factor(slope_scene(soil), *slope.mesh(), {}));
     expect_slightly_above(F, worst_circle(slope, soil));
     EXPECT_GT(F, before + 0.02);
     before = F;
@@ -138,7 +91,7 @@ TEST(LimitState, UndrainedSlopesComeDownToTheWorstCircle) {
       Slope slope;
       slope.run = run;
       slope.size = size;
-      const SafetyFactor F = safety_factor(scene_of(clay), *slope.mesh(), {});
+      const SafetyFactor F = safety_factor(slope_scene(clay), *slope.mesh(), {});
       ASSERT_TRUE(F.lower && F.upper);
       EXPECT_LT(*F.upper, 1.03 * *F.lower) << F.why;
       EXPECT_LT(*F.upper, before);
@@ -153,7 +106,7 @@ TEST(LimitState, UndrainedSlopesComeDownToTheWorstCircle) {
 TEST(LimitState, DrySandSlidesAlongItsSlope) {
   Slope slope;
   slope.size = 2.;
-  const SafetyFactor F = safety_factor(scene_of({35., 0., 0., 0.}), *slope.mesh(), {});
+  const SafetyFactor F = safety_factor(slope_scene({35., 0., 0., 0.}), *slope.mesh(), {});
   EXPECT_NEAR(middle(F) / (std::tan(35. * pi / 180.) / 0.5), 1., 0.05);
 }
 
@@ -164,7 +117,7 @@ TEST(LimitState, AStripOnClayBearsPrandtlsPressure) {
   level.below = 0.;
   level.size = 1.;
   level.behind = level.before = 14.;
-  Scene scene = scene_of({0., 20e3, 0., 0.});
+  Scene scene = slope_scene({0., 20e3, 0., 0.});
   scene.initial->surcharge["load"] = {"surface", 50e3, -3., 3.};
   const double exact = (2. + pi) * 20e3 / 50e3;
   const SafetyFactor F = safety_factor(scene, *level.mesh(), {});
@@ -179,14 +132,14 @@ void expect_rest_between(double size, const std::vector<Strength>& soils) {
   slope.uneven = 0.2;
   for (const Strength& soil : soils) {
     const auto mesh = slope.mesh();
-    const SafetyFactor F = safety_factor(scene_of(soil), *mesh, {});
+    const SafetyFactor F = safety_factor(slope_scene(soil), *mesh, {});
     ASSERT_TRUE(F.lower && F.upper);
     const auto at = [&](double factor) {
       Strength weaker = soil;
       for (double* angle : {&weaker.friction_angle, &weaker.dilatancy_angle})
         *angle = std::atan(std::tan(*angle * pi / 180.) / factor) * 180. / pi;
       weaker.cohesion /= factor;
-      return rest_state(scene_of(weaker), *mesh, {});
+      return rest_state(slope_scene(weaker), *mesh, {});
     };
     const RestState rests = at(*F.lower), falls = at(*F.upper);
     EXPECT_TRUE(rests.found) << soil.friction_angle;
@@ -216,7 +169,7 @@ struct Searched {
   Searched(const Strength& s, double share)
       : slope{2. * H, 0.5 * H, 2.5, 0.2},
         mesh(slope.mesh()),
-        scene(at_rest(scene_of(s))),
+        scene(at_rest(slope_scene(s))),
         ground(scene, *mesh, {}),
         soil(ground.space(), ground.unknowns()),
         load(ground.weights(-1e3)) {
@@ -259,7 +212,7 @@ TEST(LimitState, GroundBetweenSmoothWallsRestsHoweverLittleFrictionItHas) {
     level.run = level.below = 0.;
     level.size = 2.5;
     level.behind = level.before = 5.;
-    const SafetyFactor F = safety_factor(scene_of({angle, 1e3, 0., 0.}), *level.mesh(), {});
+    const SafetyFactor F = safety_factor(slope_scene({angle, 1e3, 0., 0.}), *level.mesh(), {});
     EXPECT_EQ(F.lower, FactorSearch::largest) << angle;
     EXPECT_FALSE(F.upper) << angle;
   }

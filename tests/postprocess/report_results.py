@@ -16,31 +16,7 @@ CASES = Path(sys.argv[3]) if len(sys.argv) > 3 else Path(__file__).parents[2] / 
 TITLE = '<b>&"</b><script>alert(1)</script>'
 sys.path.insert(0, str(SCRIPTS))
 
-COLUMN = """
-[mesh]
-geometry = "column"
-[regions.soil]
-kind = "porous"
-shear_modulus = 100e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.01
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-top = { pressure = "open" }
-[loads.push]
-boundary = "top"
-kind = "traction"
-direction = [0.0, -1.0]
-pulse = { shape = "triangle", peak = 1e3, duration = 0.1 }
-[time]
-end = 0.12
-[probes.middle]
-at = [0.5, 5.0]
-"""
+COLUMN = (Path(__file__).parents[1] / "support/column.toml").read_text() + "[probes.middle]\nat = [0.5, 5.0]\n"
 
 
 def run(case, folder, *settings):

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "../waves/sections.h"
 #include "reliability/methods.h"
 #include "reliability/random_variables.h"
 #include "upbead/sliding/pulse.h"
@@ -25,15 +26,7 @@ RandomVariable variable(const std::string& acts_on, double mean, double deviatio
 
 DesignTables section_with(const std::map<std::string, RandomVariable>& variables) {
   DesignTables tables;
-  Section& s = tables.section;
-  s.water_depth = 12.;
-  s.foundation_depth = s.berm_depth = 7.;
-  s.crest = 10.;
-  s.width = 20.;
-  s.berm_width = 8.;
-  s.bed_slope = 0.02;
-  s.weight = 7.004e6;
-  s.submerged_weight = 5.589e6;
+  tables.section = stranger_section();
   tables.waves["design"].height = 8.;
   tables.waves["design"].period = 12.;
   tables.limits.sliding = 0.3;

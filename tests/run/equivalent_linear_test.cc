@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "good_case.h"
+#include "sheared_layer.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/case/case_run.h"
 
@@ -13,19 +14,6 @@ namespace upbead::test {
 namespace equivalent_linear_test {
 
 constexpr double B = 400., h = 1., mass = 4e6, G_max = 1e6, duration = 0.2;
-
-const char* const layer_geo = R"(
-Point(1) = {-200, 0, 0}; Point(2) = {200, 0, 0}; Point(3) = {200, 1, 0}; Point(4) = {-200, 1, 0};
-Point(5) = {200, 3, 0}; Point(6) = {-200, 3, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
-Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
-Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
-Transfinite Curve {1, 3, 6} = 61; Transfinite Curve {2, 4, 5, 7} = 2;
-Transfinite Surface {1, 2}; Recombine Surface {1, 2};
-Physical Surface("soil") = {1}; Physical Surface("caisson") = {2};
-Physical Curve("base") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("walls") = {5, 6, 7};
-)";
 
 std::string layer_case(double peak, const std::string& strain, const std::string& time) {
   return R"([mesh]
@@ -38,23 +26,7 @@ shear_modulus = 1e6
 poissons_ratio = 0.3
 damping = { ratio = 0.0, frequencies = [1.0, 10.0] }
 strain = )" +
-         strain +
-         R"(
-[regions.caisson]
-kind = "rigid"
-mass = 4e6
-[boundaries]
-base = { displacement = "fixed" }
-sides = {}
-walls = {}
-[loads.impact]
-region = "caisson"
-at = [0.0, 1.0]
-pulse = { shape = "triangle", duration = 0.2, peak = )" +
-         std::to_string(peak) + R"( }
-[time]
-end = 1.5
-)" + time;
+         strain + block_on_layer(peak) + "end = 1.5\n" + time;
 }
 
 struct Peaks {
@@ -84,7 +56,7 @@ class EquivalentLinear : public InFolder {
  protected:
   SoilSummary settle(double peak, const std::string& strain, const std::string& time = "step = 0.005\n") {
     static const PetscSession petsc;  // MPI starts once in a process
-    write("layer.geo", layer_geo);
+    write("layer.geo", layer_geo(61));
     write("case.toml", layer_case(peak, strain, time));
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);

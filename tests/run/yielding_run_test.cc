@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "good_case.h"
+#include "sheared_layer.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/case/case_run.h"
 
@@ -14,19 +15,6 @@ namespace upbead::test {
 namespace yielding_run_test {
 
 constexpr double B = 400., h = 1., mass = 4e6, G = 1e8, duration = 0.2, end = 0.8;
-
-const char* const layer_geo = R"(
-Point(1) = {-200, 0, 0}; Point(2) = {200, 0, 0}; Point(3) = {200, 1, 0}; Point(4) = {-200, 1, 0};
-Point(5) = {200, 3, 0}; Point(6) = {-200, 3, 0};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
-Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
-Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
-Transfinite Curve {1, 3, 6} = 41; Transfinite Curve {2, 4, 5, 7} = 2;
-Transfinite Surface {1, 2}; Recombine Surface {1, 2};
-Physical Surface("soil") = {1}; Physical Surface("caisson") = {2};
-Physical Curve("base") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("walls") = {5, 6, 7};
-)";
 
 std::string layer_case(double peak, const std::string& law, double modulus = G) {
   return R"([mesh]
@@ -42,24 +30,7 @@ deformation = "elastic"
 density = 1e-3
 poissons_ratio = 0.3
 shear_modulus = )" +
-         std::to_string(modulus) + "\n" + law +
-         R"(
-[regions.caisson]
-kind = "rigid"
-mass = 4e6
-[boundaries]
-base = { displacement = "fixed" }
-sides = {}
-walls = {}
-[loads.impact]
-region = "caisson"
-at = [0.0, 1.0]
-pulse = { shape = "triangle", duration = 0.2, peak = )" +
-         std::to_string(peak) + R"( }
-[time]
-end = 0.8
-step = 0.0005
-)";
+         std::to_string(modulus) + "\n" + law + block_on_layer(peak) + "end = 0.8\nstep = 0.0005\n";
 }
 
 /// Shear stress of parallel elements, each of which slides at its own strength.
@@ -108,7 +79,7 @@ class YieldingRun : public InFolder {
  protected:
   Summary run(const std::string& text) {
     static const PetscSession petsc;  // MPI starts once in a process
-    write("layer.geo", layer_geo);
+    write("layer.geo", layer_geo(41));
     unsetenv("UPBEAD_MESHES");  // so that the shipped geometries are used
     write("case.toml", text);
     const Case input = read_case("case.toml");

@@ -45,6 +45,20 @@ inline Section sliding_section() {
   return s;
 }
 
+/// base.toml of a stranger, who worked it out by hand.
+inline Section stranger_section() {
+  Section s;
+  s.water_depth = 12.;
+  s.foundation_depth = s.berm_depth = 7.;
+  s.crest = 10.;
+  s.width = 20.;
+  s.berm_width = 8.;
+  s.bed_slope = 0.02;
+  s.weight = 7.004e6;
+  s.submerged_weight = 5.589e6;
+  return s;
+}
+
 /// 12 s, head-on, H_1/3 = H/1.8.
 inline DesignWave sliding_wave(double height) {
   return {height, height / 1.8, 12., 0.};

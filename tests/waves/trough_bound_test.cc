@@ -107,16 +107,7 @@ TEST(Trough, SuctionUnderTheBasePressesTheToe) {
 
 /// base.toml of a stranger, who recomputed 358.8 kPa; without suction it was 288.1.
 TEST(Trough, ToePressureOfASectionWorkedOutByHand) {
-  Section s;
-  s.water_depth = 12.;
-  s.foundation_depth = s.berm_depth = 7.;
-  s.crest = 10.;
-  s.width = 20.;
-  s.berm_width = 8.;
-  s.bed_slope = 0.02;
-  s.weight = 7.004e6;
-  s.submerged_weight = 5.589e6;
-  EXPECT_NEAR(*trough_bound(s, water, {8., 8. / 1.8, 12., 0.}).seaward.heel_pressure, 358.8e3, 50.);
+  EXPECT_NEAR(*trough_bound(stranger_section(), water, {8., 8. / 1.8, 12., 0.}).seaward.heel_pressure, 358.8e3, 50.);
 }
 
 /// Where the resultant is outside the middle third, suction near the toe may take it back: what presses more counts.

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <deal.II/grid/grid_tools.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,12 +10,12 @@
 
 #include "fem/rest_state.h"
 #include "record.h"
-#include "tensor_mesh.h"
+#include "slope.h"
 
 namespace upbead::test {
 namespace slope_test {
 
-constexpr double H = 10., weight = 20e3;  // m, N/m3
+constexpr double H = Slope::height, weight = slope_weight;
 
 std::vector<double> lines(double from, double to, double size) {
   return even_lines(from, to, std::max(1, static_cast<int>(std::lround((to - from) / size))));
@@ -38,43 +36,6 @@ std::unique_ptr<Mesh> cut_mesh(double size) {
         if (p[1] < 1e-9 - below) return "base";
         return p[1] > H - 1e-9 || (p[0] > -1e-9 && p[1] > -1e-9) ? "surface" : "";
       });
-}
-
-/// 2:1 from the crest at x = 0 to the toe at x = 2 H, on ground of half its height; columns of cells.
-std::unique_ptr<Mesh> slope_mesh(double size) {
-  constexpr double behind = 1.2 * H, run = 2. * H, before = 1.2 * H, below = 0.5 * H;
-  const auto x = joined(joined(lines(-behind, 0., size), lines(0., run, size)), lines(run, run + before, size));
-  auto mesh = tensor_mesh(
-      x, lines(0., 1., size / (H + below)), [](const dealii::Point<dim>&) { return "soil"; },
-      [](const dealii::Point<dim>& p) -> std::string {
-        if (const std::string found = side(p[0], -behind, run + before); !found.empty()) return found;
-        return p[1] < 1e-9 ? "base" : p[1] > 1. - 1e-9 ? "surface" : "";
-      });
-  dealii::GridTools::transform(
-      [](const dealii::Point<dim>& p) {
-        const double top = H * (1. - std::clamp(p[0] / run, 0., 1.));
-        return dealii::Point<dim>(p[0], -below + p[1] * (top + below));
-      },
-      mesh->triangulation);
-  return mesh;
-}
-
-Scene slope_scene(const Strength& strength) {
-  Scene scene;
-  scene.gravity = 10.;
-  Region& soil = scene.regions["soil"];
-  soil.kind = RegionKind::solid;
-  soil.deformation = Deformation::elastic;
-  soil.density = weight / scene.gravity;
-  soil.shear_modulus = 4e7;
-  soil.poissons_ratio = 0.3;
-  soil.strength = strength;
-  soil.law = SoilLaw::mohr_coulomb;
-  scene.boundaries["base"].displacement = DisplacementCondition::fixed;
-  scene.boundaries["sides"].displacement = DisplacementCondition::roller;
-  scene.boundaries["surface"] = {};
-  scene.initial.emplace().water_level = -1e3;
-  return scene;
 }
 
 /// The middle of the bracket, which is no wider than that.
@@ -104,7 +65,7 @@ TEST(Slope, OfGriffithsAndLaneHasTheirFactor) {
   Record record("slopes");
   const Scene scene = slope_scene({20., 0.05 * weight * H, 0., 1e12});
   record.at_most("slope: F over 1.4, less 1, cells of H/8",
-                 std::abs(factor_of(safety_factor(scene, *slope_mesh(1.25), {})) / 1.4 - 1.), 0.02);
+                 std::abs(factor_of(safety_factor(scene, *Slope().mesh(), {})) / 1.4 - 1.), 0.02);
 }
 
 }  // namespace slope_test
