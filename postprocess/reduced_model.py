@@ -7,7 +7,7 @@ As a library:
     model = ReducedModel("prototype.h5")
     time = np.linspace(0.0, 2.0, 2001)
     answer = model.respond(time, {"impact": force})     # N/m at those times
-    print(answer["shear_force"].max() / answer["force"].max())
+    print(model.peaks(time, {"impact": force}).largest / force.max())  # peaks between those times, too
 
 As a script it draws P and F_T of a wave in a CSV file, and |F_T / P| over frequency.
 """

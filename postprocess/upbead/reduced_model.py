@@ -3,7 +3,7 @@
     model = ReducedModel("prototype.h5")
     time = np.linspace(0.0, 2.0, 2001)
     answer = model.respond(time, {"impact": force})     # N/m at those times
-    print(answer["shear_force"].max() / answer["force"].max())
+    print(model.peaks(time, {"impact": force}).largest / force.max())   # peaks between those times, too
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from .errors import ModelError
 from .h5 import open_h5
 from .history import History
+from .modal_peaks import Peaks, Pieces, largest
 from .near import hint
 from .results import text_of
 from .shown import Shown
@@ -162,6 +163,14 @@ class ReducedModel(Shown):
         """
         time = np.asarray(time, dtype=float)
         f = self._loads_as_rows(time, loads)
+        z, _, integral = self._states(time, f)
+        f_before = f.copy()
+        f_before[:, 0] = 0.0
+        y = (z @ self.reading.T).real.T + self.feedthrough @ f_before + self.impulse @ integral
+        return {name: History(row, self.units[name], self.descriptions[name]) for name, row in zip(self.readings, y)}
+
+    def _states(self, time: NDArray[np.float64], f: NDArray[np.float64]) -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.float64]]:
+        """Modes and what drives them, a row for each time, and the integrals of the loads."""
         z = np.zeros((time.size, self.pole.size), dtype=complex)
         step = np.diff(time)
         drive = f.T @ self.load.T  # a row for each time, a column for each mode
@@ -173,10 +182,28 @@ class ReducedModel(Shown):
             z[n + 1] = decay * z[n] + h * ((phi_1 - phi_2) * drive[n] + phi_2 * drive[n + 1])
         integral = np.zeros_like(f)
         integral[:, 1:] = np.cumsum(0.5 * step * (f[:, 1:] + f[:, :-1]), axis=1)
-        f_before = f.copy()
-        f_before[:, 0] = 0.0
-        y = (z @ self.reading.T).real.T + self.feedthrough @ f_before + self.impulse @ integral
-        return {name: History(row, self.units[name], self.descriptions[name]) for name, row in zip(self.readings, y)}
+        return z, drive, integral
+
+    def peaks(self, time: ArrayLike, loads: Mapping[str, ArrayLike], reading: str = "shear_force") -> Peaks:
+        """Largest and least value of a reading, between the times, too: within 1e-9 of the largest magnitude. Arguments as of
+        respond()."""
+        time = np.asarray(time, dtype=float)
+        f = self._loads_as_rows(time, loads)
+        i = self._number("reading", reading, self.readings)
+        z, drive, integral = self._states(time, f)
+        step = np.diff(time)
+        slope = np.diff(f) / step
+        rest = np.array([self.feedthrough[i] @ f[:, :-1] + self.impulse[i] @ integral[:, :-1],
+                         self.feedthrough[i] @ slope + self.impulse[i] @ f[:, :-1], self.impulse[i] @ slope])
+        steps = Pieces(time[:-1], step, z[:-1], drive[:-1], np.diff(drive, axis=0) / step[:, None], rest)
+        found = (largest(steps, self.pole, self.reading[i], phi_functions, sign) for sign in (1, -1))
+        return Peaks(*(number for one in found for number in one))
+
+    @staticmethod
+    def _number(what: str, name: str, known: list[str]) -> int:
+        if name not in known:
+            raise ModelError(f"the model has no {what} '{name}'{hint(name, known)}")
+        return known.index(name)
 
     def error_estimate(self, time: ArrayLike, loads: Mapping[str, ArrayLike]) -> float | None:
         """A bound of the error of F_T's history by the model, over its largest value, the same as by `upbead
@@ -204,11 +231,8 @@ class ReducedModel(Shown):
         -------
         ndarray of complex, shape (F,)
         """
-        for name, known in ((reading, self.readings), (load, self.loads)):
-            if name not in known:
-                raise ModelError(f"the model has no '{name}'{hint(name, known)}")
         s = 2j * np.pi * np.asarray(frequency, dtype=float)[:, None]
-        i, k = self.readings.index(reading), self.loads.index(load)
+        i, k = self._number("reading", reading, self.readings), self._number("load", load, self.loads)
         product = self.reading[i] * self.load[:, k]
         both = product / (s - self.pole) + product.conj() / (s - self.pole.conj())
         found: NDArray[np.complex128] = self.feedthrough[i, k] + self.impulse[i, k] / s[:, 0] + 0.5 * both.sum(axis=1)

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     import xarray
 
 
+WORDS = ("status", "message", "checks_failing", "warnings", "void")  # columns that hold words, in a study without any, too
+
+
 class StudyTable(Shown):
     """The finished runs, a row for each; `table["response.peak_shear"]` is a column as an array.
 
@@ -111,6 +114,8 @@ class StudyTable(Shown):
 
     def numbers(self, name: str) -> NDArray[np.float64] | None:
         """The column as numbers, nan where a cell is empty; None if it holds words."""
+        if name in WORDS:
+            return None
         try:
             return np.array([float(row[name] or "nan") for row in self.rows])
         except ValueError:

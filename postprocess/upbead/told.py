@@ -81,9 +81,46 @@ def text_at(path: tuple[str, ...], text: str) -> str:
     return f"{' at '.join(where)}: {text}" if where else text
 
 
-def void(summary: Mapping[str, Any]) -> Any:
-    """Why no verdict may be drawn, or None."""
+def void(summary: Mapping[str, Any]) -> str | None:
+    """Why no verdict may be drawn, of a study by runs; or None."""
+    runs = summary.get("void")
+    if isinstance(runs, list):
+        return "; ".join(f"{numbered(one['runs'])}: {one['why']}" for one in runs) or None
     return (summary.get("verdict") or {}).get("why_void") or summary.get("why_void")  # an answer to waves has no verdict
+
+
+def is_all_void(summary: Mapping[str, Any]) -> bool:
+    """Of a study: whether all of its runs are."""
+    runs = summary.get("void")
+    return bool(sum(len(one["runs"]) for one in runs) >= summary["runs"]) if isinstance(runs, list) else void(summary) is not None
+
+
+def numbered(runs: list[int], most: int = 5) -> str:
+    """
+    >>> numbered([3]), numbered([1, 2, 3], 2)
+    ('run 3', 'runs 1, 2 and 1 more')
+    """
+    more = f" and {len(runs) - most} more" if len(runs) > most else ""
+    return f"run{'s' * (len(runs) > 1)} {', '.join(map(str, runs[:most]))}{more}"
+
+
+def summaries(thing: Any) -> list[Mapping[str, Any]]:
+    """Those of a result, of a model, which has warnings alone, and of all that is in a list or dict of them."""
+    if isinstance(getattr(thing, "summary", None), Mapping):
+        return [thing.summary]
+    if isinstance(thing, Mapping) and (isinstance(thing.get("verdict"), Mapping) or isinstance(thing.get("warnings"), list)):
+        return [thing]
+    if isinstance(thing, (Mapping, list, tuple)):
+        return [one for part in (thing.values() if isinstance(thing, Mapping) else thing) for one in summaries(part)]
+    found = getattr(thing, "warnings", None)
+    if isinstance(found, Mapping):  # of a Sensitivity, by name
+        found = [{"name": name, "text": text, "voids": name in thing.voids} for name, text in found.items()]
+    return [of_warnings(found, getattr(thing, "title", ""))] if isinstance(found, list) else []
+
+
+def of_warnings(found: list[dict[str, Any]], title: str = "") -> dict[str, Any]:
+    """As a summary, of what has neither checks nor verdict."""
+    return {"title": title, "warnings": found, "why_void": "; ".join(dict.fromkeys(one["name"] for one in found if one.get("voids"))) or None}
 
 
 def listed(summary: Mapping[str, Any]) -> str:

@@ -311,13 +311,19 @@ std::string study_h5(const Study& study, const Results& results) {
   TableColumn number{"runs/run", "", "number of the run", {}, {}},
       done{"runs/done", "", "1: done, 0: failed or missing", {}, {}};
   TableColumn file{"runs/case", "", "", {}, {}}, message{"runs/message", "", "", {}, {}};
+  TableColumn failing{"runs/checks_failing", "", "", {}, {}}, warnings{"runs/warnings", "", "", {}, {}},
+      why_void{"runs/void", "", "", {}, {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
     number.numbers.push_back(static_cast<double>(i));
     done.numbers.push_back(results[i] && results[i]->done ? 1. : 0.);
     file.texts.push_back(case_of(study, study.runs[i]));
     message.texts.push_back(results[i] ? results[i]->message : "missing");
+    const Doubts doubts = results[i] ? results[i]->doubts : Doubts{};
+    failing.texts.push_back(failing_names(doubts.checks));
+    warnings.texts.push_back(names_of(doubts.warnings));
+    why_void.texts.push_back(doubts.why_void);
   }
-  std::vector<TableColumn> columns{number, done, file, message};
+  std::vector<TableColumn> columns{number, done, file, message, failing, warnings, why_void};
   if (are_estimated(results))
     add_numbers(
         results, "error_estimate",

@@ -3,6 +3,8 @@
 usage: test_reduced_model.py FOLDER_OF_THE_SCRIPTS PROGRAM
 """
 
+import gzip
+import json
 import subprocess
 import sys
 import tempfile
@@ -96,11 +98,62 @@ class ReducedModels(unittest.TestCase):
         self.assert_same(wave, time, loads)
         for text, words in (("Part,slow\n0,0\n1,1\n", "is a counter"), ("Time,Time,slow\n0,0,0\n1,2,1\n", "differ"),
                             ("t,slow (mm)\n0,0\n1,1\n", "the unit 'mm'"), ("t,slow (kPa)\n0,0\n1,1\n", "the unit 'kPa'"),
-                            ("t,slow (ms)\n0,0\n1,1\n", "the unit 'ms'"), ("t,slow_kN_m\n0,0\n1,1\n", "the unit 'kN' in the name"),
+                            ("t,slow (ms)\n0,0\n1,1\n", "the unit 'ms'"), ("t,slow_kN\n0,0\n1,1\n", "the unit 'kN' in the name"),
                             ("t (kN/m),slow\n0,0\n1,1\n", "the unit 'kN/m'"), ("t,slow,slow\n0,0,1\n1,1,0\n", "two columns")):
             wave.write_text(text)
             with self.assertRaisesRegex(ModelError, words):
                 read_wave(wave, model)
+
+    def test_a_table_is_read_as_the_program_reads_it(self):
+        self.path.unlink()
+        write_oscillator(self.path, ("impact",))
+        head, rows = "time,impact", ("0,0", "0.075,1600", "0.15,0.5", "0.5,0")
+        tables = {"names": ("time (s),force_N_per_m", rows), "ends": ("time_s,impact_kN_per_m", rows), "capitals": ("t,F_KN_M", rows), "old": ("t,impact_tf_m", rows),
+                  "comment": ("# a laboratory\n# time,impact (kgf/cm)", rows), "below": (f"{head}\ns,kN/m", rows), "none": (None, rows),
+                  "semicolons": ("Zeit / s;impact [kN/m]", [row.replace(",", ";").replace(".", ",") for row in rows]),
+                  "named": ("sep=;\ntime;impact", [row.replace(",", ";") for row in rows]), "tabs": ("time\timpact", [row.replace(",", "\t") for row in rows]),
+                  "blanks": ("time impact", [row.replace(",", "  ") for row in rows]), "fortran": (head, ("0,0", "7.5D-2,1.6D3", "0.15,5D-1", "0.5,0"))}
+        for name, (above, below) in tables.items():
+            wave = self.folder / f"{name}.csv"
+            wave.write_text("\n".join([*([above] if above else []), *below]) + "\n")
+            with self.subTest(name):
+                self.assert_same(wave, *read_wave(wave, ReducedModel(self.path)))
+        packed = self.folder / "packed.csv.gz"
+        packed.write_bytes(gzip.compress("\n".join(("time,impact", *rows)).encode()))
+        np.testing.assert_array_equal(read_wave(packed, ReducedModel(self.path))[1]["impact"], [0, 1600, 0.5, 0])
+
+    def test_a_table_that_is_not_read_says_where_and_what_to_do(self):
+        wave = self.folder / "wave.csv"
+        for text, words in (("t;impact\n0;1.250\n1;2.500\n", ":2: in '1.250' point and comma .*; write decimal points"),
+                            ("t;impact\n0;0,5\n1;0.5\n", "point and comma"), ("t,impact\n0,0\n1,1,2\n", ":3: 3 cells where other rows have 2; give"),
+                            ("t,impact\n0,0\n1,\n", ":3: a cell of 1,  is no finite number; give"), ("t,impact\n1,0\n0,1\n", ":3: t = 0 s follows no earlier time; give"),
+                            ("t,impact\n-1,0\n0,1\n", ":2: the wave starts at t = -1 s, before the response; let it"), ("hello\n", "no row holds two numbers; give")):
+            wave.write_text(text)
+            with self.assertRaisesRegex(ModelError, words):
+                read_wave(wave, ReducedModel(self.path))
+
+    def test_peaks_between_the_times_are_those_of_the_program(self):
+        """At the corners of a load alone, which are far from its peaks."""
+        time, impact = np.array([0.0, 0.075, 0.15, 0.5]), np.array([0.0, 1.6e6, 0.0, 0.0])
+        model, wave = ReducedModel(self.path), self.folder / "wave.csv"
+        np.savetxt(wave, np.c_[time, impact], "%.17g", ",", header="time,impact", comments="")
+        self.program_answers(wave)
+        known = json.loads((self.folder / "out/summary.json").read_text())["waves"][0]
+        found = model.peaks(time, {"impact": impact})
+        self.assertLess(max(model.respond(time, {"impact": impact})["shear_force"]), 0.98 * known["peak_shear"])
+        self.assertAlmostEqual(found.largest / known["peak_shear"], 1.0, delta=1e-4)
+        self.assertAlmostEqual(found.least / known["peak_shear_seaward"], 1.0, delta=1e-4)
+        self.assertAlmostEqual(found.largest_time, known["peak_shear_time"], delta=1e-3)
+        fine = np.union1d(np.linspace(0.0, 0.5, 100001), time)
+        for reading in model.readings:
+            values, found = model.respond(fine, {"impact": np.interp(fine, time, impact)})[reading], model.peaks(time, {"impact": impact}, reading)
+            np.testing.assert_allclose([found.largest, found.least], [values.max(), values.min()], rtol=1e-7, atol=1e-9 * np.abs(values).max(), err_msg=reading)
+        with self.assertRaisesRegex(ModelError, "no reading 'x'"):
+            model.peaks(time, {"impact": impact}, "x")
+
+    def test_a_jump_at_the_begin_counts_in_the_peak(self):
+        found = ReducedModel(self.path).peaks([0.0, 1.0], {"impact": [3e5, 0.0]}, "force")
+        self.assertEqual((found.largest, found.largest_time), (3e5, 0.0))
 
     def test_phi_functions_agree_where_series_and_formula_meet(self):
         below, above = phi_functions(np.array([0.5 - 1e-9 + 0j])), phi_functions(np.array([0.5 + 1e-9 + 0j]))

@@ -14,6 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from .. import outputs
 from ..errors import UserError
 from ..study_axes import default_axes, in_words, is_drawn, rank_correlation, spreads
+from .doubt import RED
 from .style import mathematics, plain, scaled, styled, subplots
 
 if TYPE_CHECKING:
@@ -29,7 +30,8 @@ def study(table: StudyTable, read: str | None = None, x: Sequence[str] | None = 
     """A panel for each varied key of a StudyTable.
 
     Keys that were varied over a few values give lines, one for each combination of the other keys; random draws give
-    points, with their rank correlation, and the distribution of the number. Several cases have a colour each.
+    points, with their rank correlation, and the distribution of the number. Several cases have a colour each. Void runs are
+    crosses, which no number counts.
     read: the number to draw (default: the first); x: the keys to draw it against (default: all).
     """
     read = chosen(table.reads, [read], "number")[0] if read else table.reads[0]
@@ -49,8 +51,9 @@ def study(table: StudyTable, read: str | None = None, x: Sequence[str] | None = 
     for axes in panels[:len(across):min(len(panels), 3)]:
         axes.set_ylabel(label(table, read))
     if drawn:
-        draw_distribution(panels[len(across)], y, label(table, read))
+        draw_distribution(panels[len(across)], y[~table.void], label(table, read))
     failed = f", {len(table.failed)} more failed" if table.failed else ""
+    failed += f", {table.void.sum()} void (crosses)" if table.void.any() else ""
     figure.suptitle(f"{plain(table.name)}: {len(table)} runs{failed}", fontsize=9)
     return figure
 
@@ -103,14 +106,22 @@ def draw_points(axes, table, key, y):
     x = numbers(table, key)
     cases = table.words("case") if "case" in table.keys else [""] * len(x)
     for case in dict.fromkeys(cases):
-        good = np.isfinite(y) & np.array([found == case for found in cases])
+        good = np.isfinite(y) & ~table.void & np.array([found == case for found in cases])
+        if not good.any():
+            continue
         correlation = round(rank_correlation(x[good], y[good]), 2) + 0.0
         axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{plain(Path(case).stem)} {correlation:.2f}")
         axes.set_title(f"rank correlation {correlation:.2f}", fontsize=8)
+    draw_void(axes, x, y, table.void)
     if len(set(cases)) > 1:
         axes.set_title("rank correlation", fontsize=8)
         axes.legend(fontsize=7)
     scale_axis(axes, x)
+
+
+def draw_void(axes, x, y, void):
+    if void.any():
+        axes.plot(x[void], y[void], "x", color=RED, markersize=5, label="void")
 
 
 def draw_lines(axes, table, key, others, y):
@@ -121,11 +132,12 @@ def draw_lines(axes, table, key, others, y):
     different = sorted(set(combinations), key=combinations.index)
     crowded = len(different) > MOST_LINES
     for combination in different:
-        chosen = np.array([found == combination for found in combinations])
+        chosen = ~table.void & np.array([found == combination for found in combinations])
         order = np.argsort(x[chosen], kind="stable")
         name = ", ".join(f"{in_words(other)} {value}" for other, value in zip(others, combination))
         axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3, linewidth=1, alpha=0.4 if crowded else 1,
                   color="C0" if crowded else None, label=None if crowded else plain(name))
+    draw_void(axes, x, y, table.void)
     if words:
         axes.set_xticks(range(len(words)), words)
     else:
@@ -136,6 +148,8 @@ def draw_lines(axes, table, key, others, y):
 
 def draw_distribution(axes, y, words):
     y = y[np.isfinite(y)]
+    if not y.size:
+        return axes.set_title("all runs are void", fontsize=8)
     low, middle, high = np.percentile(y, [5, 50, 95])
     axes.hist(y, bins=min(40, max(8, len(y) // 20)), color="0.8", edgecolor="0.5", linewidth=0.5)
     for value in (low, middle, high):

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 
 from .. import prefixes
 from ..errors import UserError
+from .doubt import mark
 
 Given = ParamSpec("Given")
 Made = TypeVar("Made")
@@ -67,12 +68,15 @@ def mosaic(places: Any, *, figsize: tuple[float, float], layout: str | None = No
 
 
 def styled(draw: Callable[Given, Made]) -> Callable[Given, Made]:
-    """A function that makes a figure in the style above, whatever the style of the caller."""
+    """A function that makes a figure in the style above, whatever the style of the caller, and with the mark of what it is drawn of."""
 
     @functools.wraps(draw)
     def drawn(*arguments: Given.args, **options: Given.kwargs) -> Made:
         with matplotlib.rc_context(STYLE):
-            return draw(*arguments, **options)
+            figure = draw(*arguments, **options)
+            if figure is not None:  # nothing to draw
+                mark(figure, [*arguments, *options.values()])
+            return figure
 
     return drawn
 

@@ -151,7 +151,7 @@ UPLIFT_LEFT_OUT = {
 def of_scene(model):
     """What a summary would tell of the scene of a model, by its warnings."""
     warnings = [*model.get("warnings", []), *([UPLIFT_LEFT_OUT] if (model.get("sliding") or {}).get("uplift") == "history" else [])]
-    return {"warnings": warnings, "why_void": "; ".join(one["name"] for one in warnings if one["voids"])}
+    return told.of_warnings(warnings)
 
 
 def judged_by(summaries):
