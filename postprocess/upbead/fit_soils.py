@@ -58,7 +58,7 @@ class SoilHistories:
 
     def __init__(self, model, records, box, ties=None, fixed=None):
         self.model, self.records, self.box = model, records, box
-        self.ties, self.fixed, self.failures = ties or {}, fixed or {}, []
+        self.ties, self.fixed, self.failures, self.voids = ties or {}, fixed or {}, [], set()
 
     def soil(self, keys):
         return {**self.fixed, **keys, **{tied: factor * keys[key] for tied, (factor, key) in self.ties.items()}}
@@ -76,6 +76,7 @@ class SoilHistories:
             if not same:
                 known.append((record.wave, answers))
                 self.failures += [answer for answer in answers if isinstance(answer, SoilError)]
+                self.voids |= {why for answer in answers if (why := getattr(answer, "why_void", None))}
             found.append([self.read(record, answer) for answer in answers])
         return [list(of_soil) for of_soil in zip(*found)]
 
@@ -184,8 +185,9 @@ def scales(noise, records):
 
 
 def model_cautions(fast, keys, noise):
-    """Where the model's own error is no smaller than the noise."""
-    found, computed = [], fast.answer(keys)
+    """Where answers are void, or the model's own error is no smaller than the noise."""
+    computed = fast.answer(keys)
+    found = [f"no verdict may be drawn of answers of the model, as its warnings say: {'; '.join(sorted(fast.voids))}"] * bool(fast.voids)
     for record, error, s, values in zip(fast.records, fast.errors(keys), noise, computed):
         s = s or float(np.std(np.asarray(record.value) - values))
         if error > s:

@@ -50,7 +50,8 @@ class Sensitivity:
     """Of one quantity of one wave. value: of the case's own soil. mean, deviation: over the box. soils: how many were
     answered. left_out: rows of the design that were left out, as one of their soils had no answer, and why the first one had
     none. largest_error: the largest estimate of the model's error in F_T over its peak. warnings: texts, by name, of what is
-    doubtful: of the case's own soil, and `indices_uncertain` of intervals that are too wide."""
+    doubtful: of the case's own soil, `void_soils` of those of which no verdict may be drawn, and `indices_uncertain` of intervals that
+    are too wide. why_void: of all soils, the names of the warnings that void their answers; None where none is void."""
 
     quantity: str
     value: float | None
@@ -62,6 +63,7 @@ class Sensitivity:
     largest_error: float
     keys: list[KeyShare] = field(default_factory=list)
     warnings: dict[str, str] = field(default_factory=dict)
+    why_void: str | None = None
 
     def summary(self) -> dict[str, Any]:
         return asdict(self)
@@ -170,7 +172,11 @@ def judged(quantity: Quantity, keys: list[str], design: Array, own: SoilAnswer, 
     at = [or_none(value_of(answer, quantity)[0]) for answer in ends]
     shares = indices(design, kept, left) if deviation > 1e-9 * abs(mean) else [{} for _ in keys]
     found.keys = [KeyShare(key, at_low=at[2 * i], at_high=at[2 * i + 1], **share) for i, (key, share) in enumerate(zip(keys, shares))]
+    void = [answer.why_void for answer in (own, *answers, *ends) if isinstance(answer, SoilAnswer) and answer.why_void]
+    found.why_void = "; ".join(dict.fromkeys(name for why in void for name in why.split("; "))) or None
     found.warnings = {warning["name"]: warning["text"] for warning in own.warnings} | uncertain(found.keys)
+    if void:
+        found.warnings["void_soils"] = f"no verdict may be drawn of {len(void)} of {1 + len(answers) + len(ends)} answers, and they are in all numbers here: {found.why_void}"
     return found
 
 

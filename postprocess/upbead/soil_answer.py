@@ -32,12 +32,13 @@ class WaveAnswer:
 @dataclass
 class SoilAnswer:
     """soil: all keys of the box. error: of F_T's history under the loads of the case, over its peak. waves: a WaveAnswer
-    for each wave; where there is one, its attributes are those of this, too. warnings: as in summary.json."""
+    for each wave; where there is one, its attributes are those of this, too. warnings, why_void: as in summary.json."""
 
     soil: dict[str, float]
     error: float
     waves: list[WaveAnswer]
     warnings: list[dict[str, Any]]
+    why_void: str | None = None
 
     def __getattr__(self, name: str) -> Any:
         waves = self.__dict__.get("waves", [])
@@ -48,7 +49,7 @@ class SoilAnswer:
 
 def soil_answer(line: Mapping[str, Any]) -> SoilAnswer:
     """The SoilAnswer of a line of the server, a dict."""
-    return SoilAnswer(line["soil"], line["error"], [wave_answer(dict(wave)) for wave in line["waves"]], line["warnings"])
+    return SoilAnswer(line["soil"], line["error"], [wave_answer(dict(wave)) for wave in line["waves"]], line["warnings"], line.get("why_void"))
 
 
 def wave_answer(numbers: dict[str, Any]) -> WaveAnswer:

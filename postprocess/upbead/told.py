@@ -106,6 +106,8 @@ def numbered(runs: list[int], most: int = 5) -> str:
 
 def summaries(thing: Any) -> list[Mapping[str, Any]]:
     """Those of a result, of a model, which has warnings alone, and of all that is in a list or dict of them."""
+    if hasattr(thing, "cautions"):  # of a Fit or a Posterior
+        return [{"warnings": [{"name": text, "text": text} for text in thing.cautions]}]
     if isinstance(getattr(thing, "summary", None), Mapping):
         return [thing.summary]
     if isinstance(thing, Mapping) and (isinstance(thing.get("verdict"), Mapping) or isinstance(thing.get("warnings"), list)):
@@ -114,7 +116,7 @@ def summaries(thing: Any) -> list[Mapping[str, Any]]:
         return [one for part in (thing.values() if isinstance(thing, Mapping) else thing) for one in summaries(part)]
     found = getattr(thing, "warnings", None)
     if isinstance(found, Mapping):  # of a Sensitivity, by name
-        found = [{"name": name, "text": text, "voids": name in thing.voids} for name, text in found.items()]
+        return [{"warnings": [{"name": name, "text": text} for name, text in found.items()], "why_void": thing.why_void}]
     return [of_warnings(found, getattr(thing, "title", ""))] if isinstance(found, list) else []
 
 

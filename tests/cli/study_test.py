@@ -37,6 +37,9 @@ class Study(StudyTest):
             ratio = file["read/response.shear_to_force_ratio/value"][:]
             np.testing.assert_array_equal(ratio, [float(row["response.shear_to_force_ratio"]) for row in rows])
             np.testing.assert_array_equal(file["varied/mesh.parameters.mound_height"][:], [5, 5, 6, 6] * 3)
+            for doubt in ("checks_failing", "warnings", "void"):
+                self.assertEqual([text.decode() for text in file[f"runs/{doubt}"][:]], [row[doubt] for row in rows])
+            self.assertIn(b"force against friction", file["runs/checks_failing"][0])
 
     def test_too_many_steps_are_told_where_they_are_asked_for(self):
         (self.folder / "study.toml").write_text(

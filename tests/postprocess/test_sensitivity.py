@@ -29,15 +29,15 @@ class Known:
     box = {"a": Axis(0.0, 1.0, False), "b": Axis(1.0, np.e, True), "c": Axis(2.0, 3.0, False)}
     first, total = {"a": 3 / 16, "b": 3 / 4, "c": 3 / 64}, {"a": 13 / 64, "b": 3 / 4, "c": 4 / 64}
 
-    def __init__(self, beyond=1.0):
-        self.beyond = beyond  # soils with a larger a have no answer
+    def __init__(self, beyond=1.0, void_from=9.0):
+        self.beyond, self.void_from = beyond, void_from  # soils with a larger a have no answer, or a void one
 
     def respond(self, wave, soil):
         x = {"a": 0.5, "b": np.sqrt(np.e), "c": 2.5, **soil}
         if x["a"] > self.beyond:
             raise upbead.SoilError("beyond", soil)
         numbers = {"ratio": x["a"] + 2 * np.log(x["b"]) + x["a"] * (x["c"] - 2.5), "sliding": 0.0}
-        return SoilAnswer(x, 1e-4, [WaveAnswer("wave", numbers)], [])
+        return SoilAnswer(x, 1e-4, [WaveAnswer("wave", numbers)], [], "no_rest" if x["a"] > self.void_from else None)
 
     def respond_all(self, wave, soils):
         found = []
@@ -72,6 +72,15 @@ class Indices(unittest.TestCase):
         self.assertEqual(of.why_left_out, "beyond")
         with self.assertRaisesRegex(upbead.UserError, "'ratio' has no value for .* of 400 rows of soils: beyond"):
             upbead.sensitivity(Known(beyond=0.8), None, ["ratio"], samples=400)
+
+    def test_void_answers_are_told_and_drawn_so(self):
+        (of,) = upbead.sensitivity(Known(void_from=0.7), None, ["ratio"], samples=50)
+        self.assertRegex(of.warnings["void_soils"], "^no verdict may be drawn of [0-9]+ of 257 answers, .*: no_rest$")
+        self.assertEqual(of.summary()["why_void"], "no_rest")
+        words = [text.get_text() for text in upbead.figures.sensitivity([of]).texts]
+        self.assertIn("VOID", words)
+        (sound,) = upbead.sensitivity(Known(), None, ["ratio"], samples=50)
+        self.assertEqual((sound.why_void, "void_soils" in sound.warnings), (None, False))
 
     def test_a_name_that_no_answer_has_is_refused_with_a_near_one(self):
         with self.assertRaisesRegex(upbead.UserError, "no number 'slidin'; did you mean 'sliding'\\? it has ratio, sliding"):

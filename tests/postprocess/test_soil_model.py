@@ -63,6 +63,11 @@ class Case(unittest.TestCase):
         subprocess.run([WRITER, self.path], check=True)
         (self.folder / "roof.csv").write_text("time,impact\n0,0\n0.05,1.6e6\n0.1,4e5\n1.5,0\n")
 
+    def void_wave(self):
+        path = self.folder / "nothing.csv"
+        path.write_text("time,impact\n0,0\n1,0\n")
+        return path
+
     def model(self, **options):
         model = upbead.SoilModel(self.path, program=PROGRAM, **options)
         self.addCleanup(model.close)
@@ -70,6 +75,10 @@ class Case(unittest.TestCase):
 
 
 class Answers(Case):
+    def test_a_void_answer_says_so(self):
+        model = self.model()
+        self.assertEqual((model.respond(self.void_wave(), {}).why_void, model.respond(WAVE, {}).why_void), ("load_zero", None))
+
     def test_tells_its_box_and_readings(self):
         model = self.model()
         self.assertEqual(model.box, {G: (1e7, 1e8, True), K: (1e-2, 1.0, True)})
