@@ -10,6 +10,7 @@ program writes only fields.pvd and its .vtu files for ParaView, and COLOURED has
 Tried with pvpython of ParaView 5.11 (Debian 12), not in its window.
 """
 
+import json
 import os
 import sys
 from pathlib import Path
@@ -102,6 +103,13 @@ def written(text, view):
     display.WindowLocation = "Upper Center"
 
 
+def void(record):
+    """Why no verdict may be drawn of the run, if so."""
+    summary = record.parent / "summary.json"
+    why = (json.loads(summary.read_text(encoding="utf-8")).get("verdict") or {}).get("why_void") if summary.is_file() else None
+    return f"\nVOID, as the warnings say: {why}" if why else ""
+
+
 def look_at(view, bounds):
     """The whole section, as wide as the window."""
     view.UseColorPaletteForBackground, view.Background, view.OrientationAxesVisibility = 0, [1.0, 1.0, 1.0], 0
@@ -113,7 +121,8 @@ def look_at(view, bounds):
 
 
 def main():
-    reader = simple.PVDReader(FileName=str(result_folder()))
+    record = result_folder()
+    reader = simple.PVDReader(FileName=str(record))
     times = list(reader.TimestepValues)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = SIZE
@@ -125,7 +134,7 @@ def main():
     warped.Vectors = ["POINTS", DISPLACEMENT]
     warped.ScaleFactor = exaggeration(bounds, displacement)
     coloured(warped, view, colour, value)
-    written(f"displacements times {warped.ScaleFactor:.3g}", view)
+    written(f"displacements times {warped.ScaleFactor:.3g}{void(record)}", view)
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()

@@ -7,6 +7,8 @@ from html import escape
 from math import inf
 from typing import Any
 
+LIFE = "failure over the life"  # the way to fail of a probability, whose target is a limit without a key
+
 
 def objects(found: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
     """(path, object) of a summary and of all that is in it. A sheet has the checks and warnings of its parts."""
@@ -43,6 +45,12 @@ def fails(check: Mapping[str, Any]) -> bool:
 
 def is_judged(check: Mapping[str, Any]) -> bool:
     return check.get("holds") is not None or (check.get("failing") or 0) > 0
+
+
+def unjudged(summary: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Checks whose limit was given, and that could not be judged: mu W' is a capacity, and no limit."""
+    return [check for check in checks(summary) if check.get("why_not") and check.get("capacity") is not None and "judged" not in check
+            and (check.get("limit") or check.get("mode") == LIFE)]
 
 
 def check_text(check: Mapping[str, Any]) -> str:
@@ -86,7 +94,12 @@ def void(summary: Mapping[str, Any]) -> str | None:
     runs = summary.get("void")
     if isinstance(runs, list):
         return "; ".join(f"{numbered(one['runs'])}: {one['why']}" for one in runs) or None
-    return (summary.get("verdict") or {}).get("why_void") or summary.get("why_void")  # an answer to waves has no verdict
+    return (summary.get("verdict") or {}).get("why_void") or summary.get("why_void") or runs  # an answer to waves has no verdict
+
+
+def is_partly_void(summary: Mapping[str, Any]) -> bool:
+    """Of a study: whether runs are, and not all."""
+    return void(summary) is not None and not is_all_void(summary)
 
 
 def is_all_void(summary: Mapping[str, Any]) -> bool:
@@ -126,8 +139,9 @@ def of_warnings(found: list[dict[str, Any]], title: str = "") -> dict[str, Any]:
 
 
 def listed(summary: Mapping[str, Any]) -> str:
-    """HTML of all checks that fail and of all warnings, in the program's words; "" where there is none of them."""
-    fail = [check_text(check) for check in checks(summary) if fails(check)]
+    """HTML of all checks that fail or have a limit and no judgement, and of all warnings, in the program's words; "" where there is
+    none of them."""
+    fail = [check_text(check) for check in [*(check for check in checks(summary) if fails(check)), *unjudged(summary)]]
     items = [f'<li class="warned">{escape(text)}</li>' for text in ([f"No verdict may be drawn: {void(summary)}"] if void(summary) else []) + fail]
     items += [f'<li class="warned"><code>{escape(name)}</code>: {escape(text)}</li>' for name, text in warnings(summary)]
     return f'<ul class="told">{"".join(items)}</ul>' if items else ""

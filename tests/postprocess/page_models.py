@@ -48,6 +48,18 @@ def reduced(case, folder, *settings):
     return folder / "reduced.h5"
 
 
+def voided(model, copy, name="implausible"):
+    """A copy of a model of a scene of which no verdict may be drawn."""
+    changed(model, copy)
+    with h5py.File(copy, "r+") as file:
+        if "warnings" in file:
+            del file["warnings"]
+        for key in ("name", "what", "cure"):
+            file[f"warnings/{key}"] = [np.bytes_(name if key == "name" else f"{key} of it")]
+        file["warnings/number"] = [[1.0, 2.0, 1.0]]
+    return copy
+
+
 def changed(model, copy, **sliding):
     """A copy of a model with another table [sliding]; without its checksum, as older versions wrote them."""
     copy.write_bytes(model.read_bytes())

@@ -208,6 +208,35 @@ class Judged(unittest.TestCase):
         self.assertNotIn("does not slide", text)
         self.assertIn("Whether the caisson slides is not known", text)
 
+    def test_a_void_run_makes_no_statement_and_marks_its_numbers(self):
+        folder, _ = self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8", "time.end=0.015")
+        for language, words, mark in (("en", "No number that follows may be relied on.", '"VOID"'), ("ja", "以下の数値は信頼できない。", "--void: ")):
+            page = kinds.build(folder, language=language)
+            self.assertIn(words, visible(page))
+            self.assertIn('<body class="void">', page)
+            self.assertIn(mark, page)
+        self.assertNotIn("does not slide", visible(kinds.build(folder)))
+        self.assertNotIn('class="void"', kinds.build(self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8")[0]))
+
+    def test_a_limit_that_was_not_judged_is_told(self):
+        held = {"name": "force against friction", "holds": True, "demand": 1.0, "capacity": 2.0, "limit": None}
+        open_one = {"name": "sliding distance", "limit": "sliding", "holds": None, "capacity": 0.3, "why_not": "it still slides", "text": "sliding distance: not checked"}
+        no_limit = {**open_one, "name": "force against friction, seaward", "limit": None}
+        for language, words in (("en", "Limits that were given and not judged: sliding distance."), ("ja", "照査できなかったもの：滑動量。")):
+            with speaking(language):
+                text = visible(str(judged.verdict({"checks": [held, open_one, no_limit]})))
+            self.assertIn(words, text)
+        text = visible(str(judged.verdict({"checks": [held, open_one]})))
+        self.assertNotIn("all hold", text)
+        self.assertNotIn("No check has a limit", visible(str(judged.verdict({"checks": [open_one]}))))
+        self.assertIn("sliding distance: not checked", told.listed({"checks": [held, open_one]}))
+        self.assertNotIn("seaward", told.listed({"checks": [held, no_limit]}))
+
+    def test_a_study_tells_of_its_void_runs_once(self):
+        summary = {"runs": 4, "void": [{"runs": [1], "why": "load_cut"}], "checks": []}
+        self.assertNotIn("No verdict may be drawn", visible(str(judged.verdict(summary))))
+        self.assertIn("No verdict may be drawn: run 1", visible(str(judged.verdict({**summary, "runs": 1}))))
+
     def test_the_worst_check_comes_first(self):
         made = [{"name": str(i), "holds": random.Random(i).choice([True, False, None]), "margin": random.Random(i + 50).random()} for i in range(30)]
         order = told.checks({"checks": made})

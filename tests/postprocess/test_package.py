@@ -260,6 +260,12 @@ class ParaView(InFolder):
             low = -2.0 if colours == known["SIGNED"] else 0.0
             simple.GetColorTransferFunction.return_value.RescaleTransferFunction.assert_called_once_with(low, 2.0)
 
+    def test_fields_of_a_void_run_say_so(self):
+        (self.folder / "summary.json").write_text(json.dumps({"verdict": {"why_void": "load_cut"}}))
+        self.assertIn("VOID, as the warnings say: load_cut", self.state(["pore_pressure_(Pa)"]).Text.call_args[1]["Text"])
+        (self.folder / "summary.json").write_text(json.dumps({"verdict": {"why_void": None}}))
+        self.assertNotIn("VOID", self.state(["pore_pressure_(Pa)"]).Text.call_args[1]["Text"])
+
     def test_state_asks_for_the_fields_that_are_written(self):
         scale = self.state(["pore_pressure_(Pa)"]).GetColorTransferFunction
         scale.assert_called_once_with("pore_pressure_(Pa)")

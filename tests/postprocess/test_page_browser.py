@@ -209,6 +209,24 @@ class Page(unittest.TestCase):
             head = text[text.index("<body>") :]
             self.assertEqual("uplift_left_out" in head[: head.index("whatif")], uplift == "history")
 
+    def test_a_void_scene_is_told_beside_every_number(self):
+        void = made.voided(self.model, self.folder / "void.h5")
+        self.pages["void"] = upbead.page(void, self.folder / "void.html")
+        shown = self.show("void")
+        self.assertIn("No verdict may be drawn: implausible", shown("document.querySelector('.judged').textContent"))
+        self.assertIn("VOID: implausible", shown("document.querySelector('.headline').textContent"))
+        self.assertIn("VOID: implausible", shown("document.querySelector('.whatif figure').textContent"))
+        self.assertEqual(shown("document.querySelectorAll('.checks .holds').length"), 0)
+        self.assertIn("VOID, as the warnings say: implausible", self.browser.value(f"({made.ASK})({{}})")["histories"].splitlines()[0])
+        self.show()
+        self.assertNotIn("VOID", shown("document.querySelector('.whatif').textContent"))
+
+    def test_of_models_beside_each_other_the_void_one_is_named(self):
+        (self.folder / "soft").mkdir()
+        void = made.voided(self.model, self.folder / "soft/reduced.h5")
+        text = upbead.page(self.model, self.folder / "beside.html", beside=[void]).read_text(encoding="utf-8")
+        self.assertIn("No verdict may be drawn: soft: implausible", text)
+
     def test_begins_with_the_pulse_of_the_case(self):
         pulse = {"shape": "church_roof", "peak": 2e6, "rise": 0.02, "duration": 0.07, "plateau": 0.4, "plateau_duration": 0.9, "start": 0.01}
         case = "[loads.impulse.pulse]\n" + "\n".join(f"{key} = {value!r}" for key, value in pulse.items())

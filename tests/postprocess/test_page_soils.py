@@ -92,6 +92,12 @@ class PageOfSoils(unittest.TestCase):
             self.browser.open(self.page, width, dark=dark)
             self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
 
+    def test_a_void_scene_is_told_beside_every_number(self):
+        page = upbead.page(made.voided(self.model, self.folder / "void.h5"), self.folder / "void.html")
+        self.browser.open(page, 1280)
+        for place in (".headline", ".whatif figure"):
+            self.assertIn("VOID: implausible", self.browser.value(f"document.querySelector('{place}').textContent"))
+
     def test_refuses_what_it_cannot_answer(self):
         other = self.folder / "other.h5"
         other.write_bytes(self.model.read_bytes())

@@ -28,7 +28,7 @@ export function checksOfModel({F, U, S, worst, circle}, sliding, limits) {
     ...(circle ? checked("slip circles", circle.factor, limits.circles, "", true) : [])];
 }
 
-export function checkItems(checks) {
-  return checks.map(({name, text, holds}) => element("li", {class: holds ? "holds" : "warned", "data-holds": holds},
-    ...symbolic(name), ": ", text, element("strong", {}, holds ? " holds" : " DOES NOT HOLD")));
+export function checkItems(checks, voids = "") {
+  return checks.map(({name, text, holds}) => element("li", {class: holds && !voids ? "holds" : "warned", "data-holds": holds},
+    ...symbolic(name), ": ", text, element("strong", {}, (holds ? " holds" : " DOES NOT HOLD") + (voids && ": VOID"))));
 }

@@ -132,6 +132,7 @@ def document(model=None, design=None, summaries=()):
     title = (design or model)["title"] or "Reduced model"
     if model and not any(summary and "response" in summary for summary in summaries):  # else a run of the same scene has told them
         summaries = [of_scene(model), *(summary for summary in summaries if summary)]
+    summaries = [*summaries, *(of_scene(other, f"{other['soil']}: ") for other in (model or {}).get("others", ()))]
     before = judged_by(summaries)
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1
@@ -148,15 +149,15 @@ UPLIFT_LEFT_OUT = {
 }
 
 
-def of_scene(model):
-    """What a summary would tell of the scene of a model, by its warnings."""
+def of_scene(model, name=""):
+    """What a summary would tell of the scene of a model, by its warnings; name: that of one among several."""
     warnings = [*model.get("warnings", []), *([UPLIFT_LEFT_OUT] if (model.get("sliding") or {}).get("uplift") == "history" else [])]
-    return told.of_warnings(warnings)
+    return told.of_warnings([{**one, "name": name + one["name"]} for one in warnings])
 
 
 def judged_by(summaries):
     judged = typeset.page("".join(dict.fromkeys(told.listed(summary) for summary in summaries)))
-    head = '<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>'
+    head = '<section class="judged"><h2>Checks that fail or were not judged, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>'
     return f"{head}{judged}</section>" if judged else ""
 
 

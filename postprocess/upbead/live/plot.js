@@ -100,11 +100,18 @@ function timeAxis(end, width, y, colours, mark, kept) {
   return text;
 }
 
+// Names of the warnings of a scene under which no verdict may be drawn; "" where none is.
+export const voidsOf = ({warnings = []}) => [...new Set(warnings.filter(({voids}) => voids).map(({name}) => name))].join("; ");
+
 // The SVG's text. Of a picture for elsewhere the colours are those of light paper.
-export function drawing(time, panels, width, {forFile = false, alt = "", mark = null} = {}) {
+export function drawing(time, panels, width, {forFile = false, alt = "", mark = null, voids = ""} = {}) {
   const colours = forFile ? PAPER : SCREEN, kept = panels.flatMap(({lines}) => lines).filter(({faint}) => faint);
   const end = Math.max(time[time.length - 1], ...kept.map((line) => line.time[line.time.length - 1])), below = panels.length * (HEIGHT + GAP) - GAP;
   const inside = panels.map((one, i) => panel(one, time, end, width, i * (HEIGHT + GAP), colours, mark)).join("") + timeAxis(end, width, below, colours, mark, kept.length > 0);
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${below + FOOT}" role="img" aria-label="${escaped(alt).replace(/"/g, "&quot;")}" ` +
-    `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${forFile ? '<rect width="100%" height="100%" fill="#fff"/>' : ""}${inside}</svg>`;
+    `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${forFile ? '<rect width="100%" height="100%" fill="#fff"/>' : ""}${inside}${voids && voidMark(voids)}</svg>`;
+}
+
+function voidMark(voids) {
+  return `<text class="void" x="50%" y="50%" text-anchor="middle" font-size="26" font-weight="700" style="fill:#b00020;font-size:26px" opacity="0.5">VOID: ${escaped(voids)}</text>`;
 }

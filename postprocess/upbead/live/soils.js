@@ -2,7 +2,7 @@
 import {element, symbolic} from "./element.js";
 import {Field} from "./field.js";
 import {quantity} from "./numbers.js";
-import {drawing, panelsOf} from "./plot.js";
+import {drawing, panelsOf, voidsOf} from "./plot.js";
 import {soilAnswer, soilSystemOf} from "./soil_system.js";
 
 // The two last words of a dotted key: "seabed shear modulus".
@@ -11,6 +11,7 @@ const nameOf = (key) => key.split(".").slice(1).join(" ").replaceAll("_", " ");
 class SoilSliders {
   constructor(root, data) {
     this.system = soilSystemOf(data);
+    this.voids = voidsOf(data);
     this.fields = data.keys.map(({key, low, high, logarithmic, value}) => new Field({key, name: nameOf(key), unit: "", factor: 1, low, high,
       log: Boolean(logarithmic), holds: (given) => given >= low * (1 - 1e-12) && given <= high * (1 + 1e-12)}, value, () => this.update()));
     this.headline = element("dl", {class: "headline", role: "status"});
@@ -31,10 +32,10 @@ class SoilSliders {
   }
   draw() {
     const {P, F} = this.answer, most = (y) => y.reduce((largest, value) => Math.max(largest, value), 0), ratio = most(F) / most(P);
-    const told = [["peak_shear", "largest F_T", most(F), quantity(most(F), "N/m")], ["ratio", "F_T over peak P", ratio, ratio.toFixed(3)]];
+    const told = [["peak_shear", "largest F_T", most(F), quantity(most(F), "N/m")], ["ratio", "F_T over peak P", ratio, ratio.toFixed(3)], ...(this.voids ? [["void", "no number may be relied on", this.voids, `VOID: ${this.voids}`]] : [])];
     this.headline.replaceChildren(...told.map(([key, name, value, text]) => element("div", {}, element("dt", {}, ...symbolic(name)),
       element("dd", {}, element("data", {value, "data-key": key}, text)))));
-    this.figure.innerHTML = drawing(this.answer.time, panelsOf(this.answer), Math.max(this.figure.clientWidth, 320), {alt: "Histories of P and F_T"});
+    this.figure.innerHTML = drawing(this.answer.time, panelsOf(this.answer), Math.max(this.figure.clientWidth, 320), {alt: "Histories of P and F_T", voids: this.voids});
   }
 }
 

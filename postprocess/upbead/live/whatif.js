@@ -5,7 +5,7 @@ import {Controls} from "./controls.js";
 import {element, symbolic} from "./element.js";
 import {askedText, Kept} from "./kept.js";
 import {linkButton, openLinked, stateOf, takeState} from "./link.js";
-import {drawing, panelsOf} from "./plot.js";
+import {drawing, panelsOf, voidsOf} from "./plot.js";
 import {answerOf, histories, modelOf, trustOf} from "./respond.js";
 import {historiesCsv, saveButton, waveCsv} from "./save.js";
 import {headline, liftOf, notesOf, rowsOf, rowsOfTrust, spoken, trustSentences} from "./told.js";
@@ -34,7 +34,7 @@ class WhatIf {
   }
   build(data) {
     const {root} = this;
-    Object.assign(this, {data, model: modelOf(data), key: null, answer: null});
+    Object.assign(this, {data, model: modelOf(data), voids: voidsOf(data), key: null, answer: null});
     this.controls = new Controls(this.model, () => this.update());
     this.checks = element("ul", {class: "checks"});
     this.table = element("tbody");
@@ -61,9 +61,9 @@ class WhatIf {
   buttons() {
     const save = (text, make) => saveButton(text, () => this.answer && make());
     return this.saves = element("div", {class: "saves"},
-      save("Histories (CSV)", () => ["histories.csv", historiesCsv(this.model.title, this.answer, this.rows()), "text/csv"]),
+      save("Histories (CSV)", () => ["histories.csv", historiesCsv(this.model.title + (this.voids && `; VOID, as the warnings say: ${this.voids}`), this.answer, this.rows()), "text/csv"]),
       save("Wave (CSV)", () => ["wave.csv", waveCsv(this.answer.wave, this.model.loads), "text/csv"]),
-      save("Picture (SVG)", () => ["answer.svg", drawing(this.answer.time, this.drawn(), 900, {forFile: true, alt: this.alt(), mark: liftOf(this.answer)}), "image/svg+xml"]));
+      save("Picture (SVG)", () => ["answer.svg", drawing(this.answer.time, this.drawn(), 900, {forFile: true, alt: this.alt(), mark: liftOf(this.answer), voids: this.voids}), "image/svg+xml"]));
   }
   // Answers what is asked now; an answer to something else never stays.
   update() {
@@ -121,7 +121,8 @@ class WhatIf {
   }
   showRows() {
     const before = Object.fromEntries(this.kept.value ? this.kept.value.head : []), lift = liftOf(this.answer);
-    this.headline.replaceChildren(...this.headlines().map(([name, text]) => element("div", {}, element("dt", {}, ...symbolic(name)),
+    this.headline.replaceChildren(...(this.voids ? [element("div", {}, element("dt", {}, "no number may be relied on"), element("dd", {class: "warned"}, `VOID: ${this.voids}`))] : []),
+      ...this.headlines().map(([name, text]) => element("div", {}, element("dt", {}, ...symbolic(name)),
       element("dd", {}, text, ...(before[name] ? [element("span", {class: "kept"}, `kept ${before[name]}`)] : [])))),
     ...(lift ? [element("div", {class: "lifts"}, element("dt", {}, "the base lifts"), element("dd", {class: "warned"}, lift.text))] : []));
     this.table.replaceChildren(...this.rows().map(([key, name, text, value]) =>
@@ -134,7 +135,7 @@ class WhatIf {
   show() {
     this.told = null;
     this.showRows();
-    this.checks.replaceChildren(...checkItems(checksOfModel(this.answer, this.sliding, this.model.limits ?? {})));
+    this.checks.replaceChildren(...checkItems(checksOfModel(this.answer, this.sliding, this.model.limits ?? {}), this.voids));
     this.outside.replaceChildren(...this.ofGoda("warnings").map((text) => element("li", {class: "warned"}, ...symbolic(text))));
     this.notes.replaceChildren(...[...this.ofGoda("notes"), ...notesOf(this.model, this.answer, this.sliding)].map((text) => element("li", {}, ...symbolic(text))));
     this.trust.replaceChildren(element("li", {class: "quiet"}, ...symbolic(this.answer.rough
@@ -143,7 +144,7 @@ class WhatIf {
     this.draw();
   }
   draw() {
-    this.figure.innerHTML = drawing(this.answer.time, this.drawn(), Math.max(300, Math.floor(this.figure.clientWidth)), {alt: this.alt(), mark: liftOf(this.answer)});
+    this.figure.innerHTML = drawing(this.answer.time, this.drawn(), Math.max(300, Math.floor(this.figure.clientWidth)), {alt: this.alt(), mark: liftOf(this.answer), voids: this.voids});
   }
   // At rest: all times of `respond`, and how wrong they may be.
   settle() {
@@ -160,7 +161,7 @@ class WhatIf {
     const sentences = trustSentences(this.model, this.told);
     this.trust.replaceChildren(...sentences.map(({text, warns}) => element("li", warns ? {class: "warned"} : {}, ...symbolic(text))));
     this.showRows();
-    this.silence = setTimeout(() => { this.aloud.textContent = spoken(this.answer, this.sliding, sentences); }, SILENT - STILL);
+    this.silence = setTimeout(() => { this.aloud.textContent = (this.voids && `Void: ${this.voids}. `) + spoken(this.answer, this.sliding, sentences); }, SILENT - STILL);
   }
 }
 

@@ -31,8 +31,10 @@ def in_css(text):
     return '"' + "".join(letter if letter.isalnum() or letter in " .,-" else f"\\{ord(letter):06x}" for letter in text) + '"'
 
 
-def document(title, body):
+def document(title, body, void=False):
+    """void: a mark lies over each card and figure."""
     foot = f"@page {{ @bottom-left {{ content: {in_css(title)}; font: 8pt 'DejaVu Sans', sans-serif; color: #5c6773; }} }}"
+    foot += f"body {{ --void: {in_css(say('VOID'))}; }}"
     style = tag("style", Markup((HERE / "page.css").read_text(encoding="utf-8") + foot))
     scripts = (tag("script", Markup((HERE / name).read_text(encoding="utf-8"))) for name in SCRIPTS)
     meta = (
@@ -41,5 +43,5 @@ def document(title, body):
         tag("link", rel="icon", href="data:,"),
     )
     words = data({word: say(word) for word in OF_SCRIPTS}, "words")
-    inside = tag("head", *meta, tag("title", title), style), tag("body", tag("main", Markup(typeset.page(body))), words, *scripts)
+    inside = tag("head", *meta, tag("title", title), style), tag("body", tag("main", Markup(typeset.page(body))), words, *scripts, class_="void" if void else None)
     return "<!DOCTYPE html>\n" + tag("html", *inside, lang=spoken()) + "\n"

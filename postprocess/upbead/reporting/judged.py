@@ -11,7 +11,7 @@ from ..prefixes import pretty, scale
 def verdict(summary):
     """Sentences, and a list of all checks that fail; it says that all hold only where nothing speaks against it."""
     checks = told.checks(summary)
-    words = sentences([void(summary), rest(summary), checked(summary), doubt(summary)])
+    words = sentences([void(summary), rest(summary), checked(summary), unjudged(summary), doubt(summary)])
     return join([tag("p", words) if words else "", failing(checks)])
 
 
@@ -44,8 +44,18 @@ def said(text):
 
 
 def void(summary):
-    why = told.void(summary)
+    why = None if told.is_partly_void(summary) else told.void(summary)  # a study tells of its runs
     return tag("strong", phrase("No verdict may be drawn: {why}.", why=why.rstrip(".")), class_="fails") if why else ""
+
+
+def unreliable(summary):
+    """Stands before numbers of which no verdict may be drawn."""
+    return tag("p", tag("strong", say("No number that follows may be relied on."), class_="fails")) if told.is_all_void(summary) else ""
+
+
+def unjudged(summary):
+    names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in told.unjudged(summary)))
+    return tag("strong", phrase("Limits that were given and not judged: {names}.", names=names), class_="fails") if names else ""
 
 
 def rest(summary):
@@ -68,7 +78,7 @@ def checked(summary):
     asked = [check for check in checks if told.is_judged(check)]
     failed = [check for check in asked if told.fails(check)]
     if not asked:
-        return say("No check has a limit.") if checks else ""
+        return say("No check has a limit.") if checks and not told.unjudged(summary) else ""
     if failed and all("worst_run" in check for check in failed):
         return tag("strong", in_runs(failed, summary), class_="fails")
     unjudged = [check for check in asked if check.get("unjudged")]
@@ -80,7 +90,7 @@ def checked(summary):
         names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))
         words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
         return tag("strong", words, class_="fails")
-    if told.void(summary) or told.warnings(summary):
+    if told.void(summary) or told.warnings(summary) or told.unjudged(summary):
         return say("Of {asked} checks with a limit none fails; what is said against that stands here and below.", asked=len(asked))
     return say("Of {asked} checks with a limit all hold.", asked=len(asked))
 

@@ -31,6 +31,7 @@ from .document import document
 from .figure import of_drawing
 from .language import named, say, speaking
 from .markup import Markup, join, tag
+from .. import told as told_of
 from ..errors import UserError
 
 
@@ -42,7 +43,7 @@ def build(result, case_file=None, language=None):
     source = author_case(result.case, result.folder, case_file)
     words = author.read(result.case, source, result.folder / "case.toml")
     with speaking(language or words.language):
-        return document(result.title, body(result, source, words))
+        return document(result.title, body(result, source, words), told_of.is_all_void(result.summary))
 
 
 def body(result, source, words):

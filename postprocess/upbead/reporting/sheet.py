@@ -1,5 +1,6 @@
 """Each check of the section with demand, capacity, margin and its assumption; levels and layers of the section."""
 
+from . import judged
 from .language import as_written, heads, named, phrase, say, told
 from .markup import Markup, join, prose, table, tag
 from .units import digits_between, plain, quantity
@@ -17,10 +18,10 @@ FORMULAS = [
 
 def section(summary):
     """All checks of a summary, the worst first, and why a verdict is void."""
-    checks, void = told_of.checks(summary), told_of.void(summary)
+    checks, void = told_of.checks(summary), judged.void(summary)
     if not checks and not void:
         return Markup("")
-    return tag("section", tag("h2", say("Checks")), tag("div", void, class_="fails") if void else "", verdicts(checks) if checks else "", id="sheet")
+    return tag("section", tag("h2", say("Checks")), tag("p", void) if void else "", verdicts(checks) if checks else "", id="sheet")
 
 
 def verdicts(checks):

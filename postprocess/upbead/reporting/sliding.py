@@ -9,6 +9,7 @@ from .measures import at, measures
 from .plot import Line, Panel, Plot
 from .series import largest
 from .units import percent, quantity
+from .. import told as told_of
 
 FLAT = 0.01  # of W': less uplift is not seen
 
@@ -21,7 +22,7 @@ def section(result):
     rows = [(prose(measure.what), quantity(measure.value, "m"), tag("code", measure.key)) for measure in found]
     parts = [tag("h2", say("Sliding"))]
     if sliding:
-        parts += [tag("p", balance(sliding, bool(result.summary.get("void")))), figure.of_plot(forces(result, sliding), force_caption(result))]
+        parts += [tag("p", balance(sliding, told_of.is_all_void(result.summary))), figure.of_plot(forces(result, sliding), force_caption(result))]
     course = slip_course(result, sliding or {})
     if course:
         parts.append(

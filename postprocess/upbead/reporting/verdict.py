@@ -17,7 +17,7 @@ WITHOUT_REST = (
 def section(result):
     summary = result.summary
     numbers = [
-        tag("p", sentences([slides(result), carried(summary), shear(result)])),
+        judged.unreliable(summary) or tag("p", sentences([slides(result), carried(summary), shear(result)])),
         tag("p", rests_on(summary)),
         tag("div", *cards(result), class_="cards"),
     ]

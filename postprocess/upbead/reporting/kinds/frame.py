@@ -20,7 +20,7 @@ def build(folder, found, kind, case_file, language):
     words = author.read(case, source, folder / "case.toml")
     with speaking(language or words.language):
         rows = inputs.rows(case, source, source_case.units(folder / "case.toml"), reference.read(places.docs() / "reference/design.md"))
-        return document(heading, body(found, kind, words, summary, rows, source, folder, heading))
+        return document(heading, body(found, kind, words, summary, rows, source, folder, heading), told_of.is_all_void(summary))
 
 
 def body(found, kind, words, summary, rows, source, folder, heading):
@@ -48,7 +48,7 @@ def verdict_section(told, summary):
     words, cards = told
     boxes = tag("div", *cards, class_="cards") if cards else ""
     trust = head.trust(len(told_of.warnings(summary)))
-    return tag("section", tag("h2", say("Verdict")), judged.verdict(summary), tag("p", sentences(words)), boxes, trust, id="verdict")
+    return tag("section", tag("h2", say("Verdict")), judged.verdict(summary), judged.unreliable(summary), tag("p", sentences(words)), boxes, trust, id="verdict")
 
 
 def result_section(title, name, *parts):
