@@ -66,12 +66,20 @@ def slides(result):
     if not rests(summary):
         return phrase("By this run the caisson does not come to rest: it has slid {distance} {way} when the run ends, and slides on.",
                       distance=rounded(measure.value, "m"), way=way)  # fmt: skip
+    if (why := not_all(summary)):
+        return phrase("By this run the caisson slides at least {distance} {way}, and more is not known: {why}.",
+                      distance=rounded(measure.value, "m"), way=way, why=prose(told(why)))  # fmt: skip
     return phrase("By this run the caisson slides about {distance} {way}.", distance=rounded(measure.value, "m"), way=way)
 
 
 def rests(summary):
     """Whether S has a bound; results of older versions do not say."""
     return ((summary.get("sliding") or {}).get("design") or {}).get("rests", True)
+
+
+def not_all(summary):
+    """Why S is not the whole distance, though it has a bound; None where it is."""
+    return ((summary.get("sliding") or {}).get("design") or {}).get("why_not_all")
 
 
 def carried(summary):
@@ -166,6 +174,9 @@ def sliding_card(summary):
     below = Markup(prose(measure.short))
     if measure.value == 0 and ratio > 0:
         below = phrase("the sliding force is {ratio} of the resistance", ratio=percent(ratio))
+    value = quantity(measure.value, "m")
     if not rests(summary):
         below = phrase("until the end of the run; it slides on, without bound")
-    return card(name, quantity(measure.value, "m"), below)
+    elif (why := not_all(summary)):
+        value, below = phrase("at least {distance}", distance=value), prose(told(why))
+    return card(name, value, below)

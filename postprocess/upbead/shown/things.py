@@ -34,8 +34,10 @@ def html_of(thing):
 def _(result: Result):
     response = result.summary.get("response") or {}
     rows = [(outputs.label(f"response.{key}"), quantity(response[key], outputs.unit(f"response.{key}"))) for key in READ if response.get(key) is not None]
-    slip = ((result.summary.get("sliding") or {}).get("design") or {}).get("value")
-    rows += [("sliding distance S", quantity(slip, "m"))] if slip is not None else []
+    design = (result.summary.get("sliding") or {}).get("design") or {}
+    if (slip := design.get("value")) is not None:
+        bound = "without bound, till the end " if not design.get("rests", True) else "at least " if design.get("why_not_all") else ""
+        rows.append(("sliding distance S", bound + quantity(slip, "m")))
     draw = figures.response if all(name in result for name in FIGURE) else figures.probes if result.probes() else None
     drawn = [picture(lambda: draw(result), f"histories of {result.title}")] if draw else []
     if isinstance(result, SlipResult):
