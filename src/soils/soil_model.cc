@@ -6,6 +6,7 @@
 #include "case/case_run.h"
 #include "dynamics/basis.h"
 #include "fem/system_scene.h"
+#include "model/equal.h"
 #include "model/exclusions.h"
 #include "response/reduction.h"
 #include "run/derived.h"

@@ -18,6 +18,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/cores.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
