@@ -17,9 +17,7 @@
 namespace upbead {
 
 /// The table [sliding.uplift] as written.
-struct UpliftTable : UpliftChoice, GaugeKeys {
-  std::string history_file;
-};
+struct UpliftTable : UpliftChoice, HistoryKeys, GaugeKeys {};
 
 /// The table [sliding] as written; `sliding` of Scene is made of it.
 struct SlidingTable : SlidingChoice {

@@ -40,6 +40,7 @@ TableSchema<UpliftTable> uplift_schema() {
       .key("history", &UpliftTable::history_file, "",
            "path of a CSV file with a header line, then time (s) and U (N/m); or peak, or gauges")
       .when("kind", is_prescribed, "where the uplift is prescribed");
+  add_column_key(table);
   add_gauge_keys<UpliftTable>(table, bottom_words, is_prescribed, "where the uplift is prescribed", is_prescribed);
   return table;
 }

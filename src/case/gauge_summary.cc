@@ -1,10 +1,14 @@
 // What transducers along a wall or a bottom measured.
+#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/text.h"
 #include "case/case_run.h"
+#include "case/case_schema.h"
 #include "case/load_source.h"
 #include "fem/compile.h"
+#include "fem/static_stage.h"
 
 namespace upbead {
 
@@ -61,6 +65,56 @@ GaugeSummary summary_of(const LoadSource& by, const Resultant& sum) {
   return s;
 }
 
+/// Height up to which still water may stand at a wall, as far as is known: else its highest transducer (m).
+double still_level(const Case& input, const Gauges& gauges, const Simulation& simulation) {
+  const double level = water_level(simulation.given(), *simulation.mesh());
+  if (std::isfinite(level)) return level;
+  const auto& caisson = simulation.compiled()->caisson;
+  if (input.tables->section && caisson) return caisson->bottom_centre[1] + input.tables->section->foundation_depth;
+  return gauges.place.back();
+}
+
+/// Warning suction: water pulls no more at a wall than it had pressed at rest, rho g times its depth.
+NumberedWarnings warnings_of_suction(const Case& input, const LoadSource& by, const Simulation& simulation) {
+  constexpr double tolerable = 0.2;  // of the largest pressure, as of air that swings behind a breaker
+  const Gauges& gauges = *by.gauges;
+  if (gauges.over_x) return {};
+  const Scene& scene = simulation.given();
+  const double level = still_level(input, gauges, simulation), factor = by.load.factor;
+  double largest = 0., beyond = 0.;
+  NumberedWarning worst{"suction", 0., 0., "Pa", "", "give pressures on the wall as positive", true};
+  for (std::size_t i = 0; i < gauges.count(); ++i) {
+    const auto [least, most] = std::minmax_element(gauges.pressure[i].begin(), gauges.pressure[i].end());
+    const double p = std::min(factor * *least, factor * *most),
+                 at_rest = scene.fluid.density * scene.gravity * std::max(level - gauges.place[i], 0.);
+    largest = std::max({largest, std::abs(factor * *least), std::abs(factor * *most)});
+    if (-p - at_rest <= beyond) continue;
+    beyond = -p - at_rest;
+    worst.value = p;
+    worst.limit = -at_rest;
+    worst.what = by.title + "." + gauges.name[i] + " is " + with_unit(p, "Pa") +
+                 ", and still water, which can no more than " + "go, presses there with " + with_unit(at_rest, "Pa");
+  }
+  if (beyond > tolerable * largest) return {worst};
+  return {};
+}
+
+/// Warning uplift_ends: the row is not as long as the bottom that it lifts.
+NumberedWarnings warnings_of_ends(const LoadSource& uplift, const Simulation& simulation) {
+  constexpr double same = 0.02;  // of the bottom
+  const auto& caisson = simulation.compiled()->caisson;
+  if (!caisson) return {};
+  const double B = caisson->bottom_width, seaward = caisson->bottom_centre[0] - 0.5 * B;
+  const auto [from, to] = uplift.gauges->zero_at;
+  const double apart = std::max(std::abs(from - seaward), std::abs(to - seaward - B));
+  if (apart <= same * B) return {};
+  return {{"uplift_ends", apart, same * B, "m",
+           uplift.title + ": ends = [" + significant(from, 4) + ", " + significant(to, 4) +
+               "], and the caisson's bottom goes from x = " + significant(seaward, 4) + " to " +
+               significant(seaward + B, 4) + " m: U is that of another bottom",
+           "give the positions and ends in the x of the mesh", true}};
+}
+
 }  // namespace
 
 /// Warnings of all transducers (model/gauges.h).
@@ -72,9 +126,12 @@ NumberedWarnings transducer_warnings(const Case& input, const Simulation& simula
       std::vector<double> force = on_caisson(*by, simulation).force;
       for (double& value : force) value /= by->load.factor;
       append(all, gauge_warnings(by->title, *by->gauges, force, end));
+      append(all, warnings_of_suction(input, *by, simulation));
     }
-  if (input.uplift && input.uplift->gauges)
+  if (input.uplift && input.uplift->gauges) {
     append(all, gauge_warnings(input.uplift->title, *input.uplift->gauges, on_bottom(*input.uplift).force, end));
+    append(all, warnings_of_ends(*input.uplift, simulation));
+  }
   return all;
 }
 

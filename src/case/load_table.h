@@ -21,9 +21,8 @@ struct PulseTable : Pulse {
 };
 
 /// A table [loads.NAME] as written, of which its source makes loads (load_source.h).
-struct LoadTable : Load, GaugeKeys, FlowKeys {
+struct LoadTable : Load, HistoryKeys, GaugeKeys, FlowKeys {
   std::optional<PulseTable> pulse;
-  std::string history_file;
   std::optional<WaveLoadTable> wave;
   std::optional<WaveTrain> train;
 };

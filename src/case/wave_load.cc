@@ -243,7 +243,8 @@ NumberedWarning outside_formulas(const std::string& title, const NumberedWarning
           0.,
           "1",
           title + ": " + join(what, "; ") + " (docs/waves.md)",
-          join(cures, "; ")};
+          join(cures, "; "),
+          std::any_of(found.begin(), found.end(), [](const NumberedWarning& one) { return one.voids; })};
 }
 
 /// Warnings wave_outside_formulas, effective_force and impact_below_goda: docs/warnings.md.

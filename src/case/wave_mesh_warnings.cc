@@ -63,7 +63,7 @@ std::optional<MeshedBerm> meshed_berm(const Simulation& simulation) {
 }
 
 /// Warning berm_differs: Goda's formulas are asked about another berm than is meshed. Armour that is not meshed makes
-/// the water over it shallower, never deeper.
+/// the water over it shallower, never deeper, so that a deeper berm is a mistake, and P too small.
 NumberedWarnings berm_warnings(const Case& input, const Simulation& simulation) {
   constexpr double same = 0.1;  // of the meshed one
   const Section& section = acting_waves(input).front()->section;
@@ -71,15 +71,15 @@ NumberedWarnings berm_warnings(const Case& input, const Simulation& simulation) 
   if (!berm) return {};
   const double depth = section.foundation_depth - (berm->height - simulation.compiled()->caisson->bottom_centre[1]);
   NumberedWarnings list;
-  const auto add = [&](const char* key, double given, double meshed) {
+  const auto add = [&](const char* key, double given, double meshed, bool voids) {
     list.push_back({"berm_differs", given, meshed, "m",
                     std::string("section.") + key + " = " + significant(given, 4) + " m, of the meshed mound " +
                         significant(meshed, 4) + " m: alpha_2, alpha_I and P are those of another mound",
-                    "give one mound in both"});
+                    "give one mound in both", voids});
   };
-  if (depth > 0. && section.berm_depth > (1. + same) * depth) add("berm_depth", section.berm_depth, depth);
+  if (depth > 0. && section.berm_depth > (1. + same) * depth) add("berm_depth", section.berm_depth, depth, true);
   if (std::abs(section.berm_width - berm->width) > same * berm->width)
-    add("berm_width", section.berm_width, berm->width);
+    add("berm_width", section.berm_width, berm->width, false);
   return list;
 }
 

@@ -28,8 +28,10 @@ const KnownWarning known_warnings[] = {
      "`limits.base_pressure`",
      "run, waves", "contact.md#base-pressure"},
     {"bed_slope", "tan(theta), and 0.01 to 0.1", "waves, expected, calibrate, reliability", "waves.md#warnings"},
-    {"berm_below_bed", "d, and h (m)", "waves, expected, calibrate, reliability", "waves.md#warnings"},
-    {"berm_differs", "d or B_M of `[section]`, and that of the meshed mound (m)", "run, explain", "warnings.md#units"},
+    {"berm_below_bed", "d, and h (m); voids the verdict", "waves, expected, calibrate, reliability",
+     "waves.md#warnings"},
+    {"berm_differs", "d or B_M of `[section]`, and that of the meshed mound (m); a deeper berm voids the verdict",
+     "run, explain", "warnings.md#units"},
     {"beyond_band", "share of F_T above the model's highest frequency, and its tolerance", "respond",
      "reduced.md#the-ladder"},
     {"beyond_compaction", "largest amplitude of shear strain where soil packs denser, and 0.01", "run",
@@ -49,8 +51,9 @@ const KnownWarning known_warnings[] = {
     {"circles_open", "0, and `limits.circles`, which could not be checked", "run", "circles.md"},
     {"coarse_factor", "the factor by strength reduction, and 1.23 times its limit", "run",
      "yielding.md#strength-reduction"},
-    {"column_chosen", "columns of values in the file of a history, of which the first is taken, and 1", "run, explain",
-     "warnings.md#records"},
+    {"column_chosen",
+     "columns of values in the file of a history, of which the first is taken, and 1; voids the verdict",
+     "run, explain", "warnings.md#records"},
     {"cycles_one_sided",
      "1 and 2: the loads of `[cycles]` push one way alone, and with its trough a wave has up to twice that shear; what "
      "holds by them is not judged",
@@ -207,6 +210,10 @@ const KnownWarning known_warnings[] = {
      "longest step of a record, and five times its usual one (s); voids the verdict where the record is not at rest "
      "there",
      "run, explain, respond", "warnings.md#records"},
+    {"record_offset",
+     "what a record reads at its beginning and at its end over its largest value, and 5 %: its rest is not zero; voids "
+     "the verdict",
+     "run, explain, respond", "warnings.md#records"},
     {"record_saturated", "a record holds its extreme by 5 samples or more between a rise and a fall; voids the verdict",
      "run, explain, respond", "warnings.md#records"},
     {"record_spikes", "single samples of a record that differ from both neighbours by a fifth of the range",
@@ -278,6 +285,10 @@ const KnownWarning known_warnings[] = {
      "W' as given, and the caisson's weight less the water that it displaces (N/m); voids the verdict "
      "beyond a tenth",
      "run, explain, respond", "warnings.md#units"},
+    {"suction",
+     "a pressure on a wall, and what still water presses there, which it can lose (Pa): one transducer goes below by a "
+     "fifth of the largest pressure; voids the verdict",
+     "run, explain", "warnings.md#records"},
     {"system_incomplete", "ways to fail that the system leaves out, and 0", "reliability",
      "failure-chances.md#ways-to-fail"},
     {"table_not_used", "1 and 0: a table of a design that changes nothing, as one that it needs is missing", "expected",
@@ -291,6 +302,11 @@ const KnownWarning known_warnings[] = {
     {"triangles_divided", "triangles of the mesh's file, and 0", "run, explain", "warnings.md#triangles"},
     {"uplift_differs", "peak of a prescribed uplift, and that of the wave by its own formula (N/m)", "run, explain",
      "warnings.md#uplift-of-a-bonded-caisson"},
+    {"uplift_ends",
+     "how far `ends` of an uplift's transducers are from the ends of the caisson's bottom, and 2 % of its width (m); "
+     "voids "
+     "the verdict",
+     "run, explain", "warnings.md#records"},
     {"uplift_left_out",
      "U of a wave, of a prescribed peak or of the pores that does not count, and 0 or a twentieth of W' (N/m); 0 and 0 "
      "of "
@@ -311,8 +327,10 @@ const KnownWarning known_warnings[] = {
      "height of a load by a wave, and of the highest of `[waves]` (m): the run of a sheet bears none of the design's "
      "waves",
      "sheet", "sheet.md"},
-    {"wave_outside_formulas", "how many limits of Goda's formulas a load by a wave is beyond, and 0", "run, explain",
-     "waves.md#warnings"},
+    {"wave_outside_formulas",
+     "how many limits of Goda's formulas a load by a wave is beyond, and 0; voids the verdict where one of them does "
+     "in `waves`",
+     "run, explain", "waves.md#warnings"},
     {"waves_unbroken", "waves above Goda's highest breaker, and 1", "expected, reliability", "expected.md#warnings"},
     {"would_lift", "least effective stress under an edge of the bottom, and 0 (Pa): a bonded base lifts there",
      "run, respond", "warnings.md#uplift-of-a-bonded-caisson"},

@@ -146,6 +146,7 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   join("record_gap", "have it, too", list);
   join("record_dropout", "lost it, too", list);
   join("record_begun", "begin so, too", list);
+  join("record_offset", "are so, too", list);
   join("record_cut", "are cut, too", list);
   join("record_saturated", "are at their end, too", list);
   append(list, swapped_records(records));

@@ -162,11 +162,19 @@ class Inspection {
     const double change = std::abs(mean(value_, at_ends_ - third, at_ends_) - mean(value_, 0, third));
     const bool moves = change > least_drift * peak_ && slope(0, at_ends_) > most_of_rise * rise_;
     const bool comes_back = std::abs(median(value_, n_ - at_ends_, n_)) < 0.5 * std::abs(start_);
-    if (!moves && !comes_back) return;  // an offset
-    add("record_begun", share, most_at_begin,
-        "begins at t = " + significant(time_.front()) + " s with " + significant(100. * share, 2) +
-            " % of its largest value: what came before is lost, and it jumps there from zero",
-        "give the record from its rest on, or an earlier record_start");
+    const std::string with = " with " + significant(100. * share, 2) + " % of its largest value";
+    if (moves || comes_back)
+      add("record_begun", share, most_at_begin,
+          "begins at t = " + significant(time_.front()) + " s" + with +
+              ": what came before is lost, and it jumps there from zero",
+          "give the record from its rest on, or an earlier record_start");
+    else
+      add("record_offset", share, most_at_begin,
+          "begins and ends" + with +
+              ": an instrument that does not read zero at rest, or still water in its values; it "
+              "jumps there from zero",
+          "take off what it reads at rest, by zero = SECONDS where it has that key; give a load that stays by its "
+          "corners");
     list_.back().voids = true;
   }
 

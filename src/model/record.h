@@ -39,6 +39,7 @@ bool is_measured(const Record& record);
 ///                      to a twentieth
 ///   record_begun       its first sample is more than 5 % of its largest value, and it moves there, or comes back by
 ///                      half at its end. Voids the verdict, as those of lost_samples()
+///   record_offset      it is more than 5 % of its largest value both there and at its end. Voids the verdict
 /// and lost_samples().
 NumberedWarnings record_warnings(const Record& record);
 

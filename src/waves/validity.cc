@@ -94,7 +94,7 @@ void judge_section(const Section& c, NumberedWarnings& list) {
   if (c.berm_depth > c.water_depth)
     list.push_back({"berm_below_bed", c.berm_depth, c.water_depth, "m",
                     "d = " + metres(c.berm_depth) + " is below the bed at h = " + metres(c.water_depth),
-                    "check berm_depth and water_depth (both from still water down)"});
+                    "check berm_depth and water_depth (both from still water down)", true});
   if (c.foundation_depth > c.water_depth)
     list.push_back({"foundation_below_bed", c.foundation_depth, c.water_depth, "m",
                     "h' = " + metres(c.foundation_depth) + " is below the bed at h = " + metres(c.water_depth) +

@@ -21,7 +21,7 @@ class Records : public InFolder {
   static double peak(const std::string& text, RecordNotes& notes, LoadKind kind = LoadKind::force,
                      const std::string& name = "f.csv") {
     std::ofstream(name, std::ios::binary) << text;
-    notes = read_history(name, {"case.toml", 1, 1}, kind, 1., 0.).notes;
+    notes = read_history(name, {"case.toml", 1, 1}, kind, 1., {}).notes;
     return notes.read.at(0).extreme;
   }
   static double peak(const std::string& text, LoadKind kind = LoadKind::force) {

@@ -182,12 +182,28 @@ class Gauges(ProgramTest):
         for zero, told in (("0.045", 0), ("0.09", 1), ("0.2", 1), ("0.235", 1)):
             found = [w for w in self.ask("explain", scene(zero=zero))["warnings"] if w["name"] == "record_zero"]
             self.assertEqual(len(found), told, zero)
+        at_rest = self.ask("explain", scene(zero="0.045"))["warnings"]
+        self.assertNotIn("record_offset", [w["name"] for w in at_rest])
+        (offset,) = [w for w in self.ask("explain", scene())["warnings"] if w["name"] == "record_offset"]
+        self.assertIn("6 more of its row are so, too", offset["text"])
         bent = {**HEIGHTS, "p2": HEIGHTS["p5"], "p5": HEIGHTS["p2"]}
         self.write_csv(lambda y: linear(y) + 3e4 * math.sin(0.25 * y))
         swapped = "{ " + ", ".join(f"{n} = {y}" for n, y in bent.items()) + " }"
         found = {w["name"]: w["text"] for w in self.ask("explain", scene(heights=swapped))["warnings"]}
         self.assertIn("loads.wall.p2' and 'loads.wall.p5'" if "loads.wall.p2' and" in found["records_swapped"]
                       else "loads.wall.p5' and 'loads.wall.p2'", found["records_swapped"])
+
+    def test_pressures_that_no_water_has_void_the_verdict(self):
+        """Still water at a wall can lose rho g d, and nothing above its level: a reversed sign is told."""
+        limits = ("--set", "sliding.friction=0.6", "--set", "limits.sliding=1", *WEIGHT)
+        self.write_csv(linear)
+        self.assertNotIn("suction", self.ask("run", scene(), *limits)["verdict"]["why_void"] or "")
+        self.write_csv(linear, factor=-1.0)
+        summary = self.ask("run", scene(), *limits)
+        self.assertIn("suction", summary["verdict"]["why_void"])
+        self.assertIsNone(summary["verdict"]["holds"])
+        told = {w["name"]: w for w in summary["warnings"]}["suction"]
+        self.assertLess(told["value"], told["limit"])
 
     def test_uplift_by_transducers_under_the_bottom(self):
         self.write_csv(linear)
@@ -202,6 +218,10 @@ class Gauges(ProgramTest):
         self.assertAlmostEqual(found["arm"] * found["peak_force"] / moment, 1, 9)
         self.assertEqual(summary["sliding"]["uplift"], "prescribed")
         self.assertLess(summary["sliding"]["least_normal_force"], 4.3e6 - 0.9 * found["peak_force"])
+        self.assertNotIn("uplift_ends", [w["name"] for w in summary["warnings"]])
+        for ends in ("[-8.0, 9.0]", "[-9.0, 12.0]"):
+            other = self.ask("explain", scene(), *WEIGHT, "--set", uplift.replace("[-9.0, 9.0]", ends))
+            self.assertIn("uplift_ends", [w["name"] for w in other["warnings"]], ends)
 
     def test_the_similar_prototype_has_similar_records(self):
         """Scaled by 2 with Froude's law, forces are four times as large; so the record of the response and the run

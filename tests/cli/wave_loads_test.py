@@ -47,6 +47,16 @@ class WaveLoads(ProgramTest):
             (told,) = (warning for warning in warnings if warning["name"] == "berm_differs")
             self.assertAlmostEqual(told["limit"], meshed, 9)
 
+    def test_a_wave_or_a_berm_that_cannot_be_voids_run_and_waves_alike(self):
+        for section, wave in ({}, {"height": 11, "period": 3}), ({"berm_depth": 40}, {}):
+            def keys(way):
+                given = {**{f"section.{k}": v for k, v in section.items()}, **{f"{way}.{k}": v for k, v in wave.items()}}
+                return [word for key, value in given.items() for word in ("--set", f"{key}={value}")]
+            run = json.loads(self.ask("run", CASE, "--json", *COARSE, *keys("loads.storm.wave")).stdout)
+            waves = json.loads(self.ask("waves", DESIGN, "--json", *keys("waves.storm")).stdout)
+            self.assertIn("wave_outside_formulas", run["verdict"]["why_void"])
+            self.assertIn("breaking_limit" if wave else "berm_below_bed", waves["verdict"]["why_void"])
+
     def test_a_weight_in_water_without_sliding_is_that_of_the_scene(self):
         (self.folder / "bare.toml").write_text(re.sub(r"\[sliding\].*?(?=\[regions)", "", CASE.read_text(), flags=re.S))
         told = self.ask("explain", "bare.toml", *COARSE, "--set", "section.submerged_weight=3.5e6").stderr

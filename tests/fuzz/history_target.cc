@@ -75,7 +75,7 @@ void try_history(std::string_view bytes) {
   if (!read_or_refuse([&] { check_table(table = read_csv(path, key)); })) return;
   if (table.names.size() > 1) check_gauges(table, path);
   FileHistory history;
-  if (read_or_refuse([&] { history = read_history(path, key, LoadKind::force, 1., 0.); })) {
+  if (read_or_refuse([&] { history = read_history(path, key, LoadKind::force, 1., {}); })) {
     check_function(history.function);
     require(history.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
   }

@@ -241,7 +241,16 @@ TEST(Records, ThatBeginInTheMiddleAreTold) {
   EXPECT_TRUE(list[0].voids);
   const auto held = [](double t) { return t < 0.7 ? 8e5 : 8e5 * std::max(0., 1. - 5. * (t - 0.7)); };
   EXPECT_EQ(names(record_warnings(sampled(held)))[0], "record_begun") << "as an uplift that has risen before";
-  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e5 + pulse(t); }))), Names()) << "an offset";
+}
+
+TEST(Records, ThatDoNotRestAtZeroAreTold) {
+  for (const double offset : {1e5, -4e5, -7e5}) {
+    const NumberedWarnings list = record_warnings(sampled([offset](double t) { return offset + pulse(t); }));
+    ASSERT_EQ(names(list), Names{"record_offset"}) << offset;
+    EXPECT_NEAR(list[0].value, std::abs(offset) / std::max(std::abs(offset), std::abs(offset + 1e6)), 0.02);
+    EXPECT_TRUE(list[0].voids);
+  }
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 3e4 + pulse(t); }))), Names());
 }
 
 TEST(Records, SwappedTransducersAreNamed) {

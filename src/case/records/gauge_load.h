@@ -47,8 +47,10 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
       .fallback("that of the header, else Pa")
       .doc("unit of the pressures; such as \"kPa\"");
   const auto has_clock = [belongs](const T& source) { return belongs(source) || !source.history_file.empty(); };
-  add_clock_keys(table, in,
-                 [&](const Entry<T>& entry) { return entry.when("kind", has_clock, where + ", or of a history"); });
+  const auto of_clock = [&](const Entry<T>& entry) {
+    return entry.when("kind", has_clock, where + ", or of a history");
+  };
+  add_clock_keys(table, in, of_clock);
   in(table.key("load_cell", &T::load_cell))
       .fallback("none")
       .doc("name of the column with the force by a load cell (N/m); compared with the transducers, not applied");

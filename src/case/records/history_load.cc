@@ -35,8 +35,11 @@ void check_times(const CsvTable& table, const std::vector<double>& time, double 
     }
 }
 
-/// A history has one value: the first column of values. Another one of that name would be as good.
-std::size_t only_value(const CsvTable& table, const RecordLayout& layout, RecordNotes& notes) {
+/// A history has one value: that of the column which is named, else the first. Another one would be as good, so that
+/// this is a guess.
+std::size_t only_value(const CsvTable& table, const RecordLayout& layout, const std::string& name, const Place& place,
+                       RecordNotes& notes) {
+  if (!name.empty()) return column_of(table, name, place);
   const std::size_t value = layout.values.front();
   if (layout.values.size() == 1) return value;
   for (std::size_t i = 1; i < layout.values.size(); ++i)
@@ -50,7 +53,7 @@ std::size_t only_value(const CsvTable& table, const RecordLayout& layout, Record
                             std::filesystem::path(table.path).filename().string() + " has " +
                                 std::to_string(layout.values.size()) + " columns of values, and the first, " +
                                 in_quotes(table.names[value]) + ", is taken",
-                            "keep the one that is meant, beside the time"});
+                            "name the one that is meant by column = \"...\", or keep it alone beside the time", true});
   return value;
 }
 
@@ -73,8 +76,18 @@ void begin_at(double start, const Place& place, std::vector<double>& time, std::
   value.front() = at_zero;
 }
 
-/// Reads and checks what all histories have in common; `si`: unit of the value; `start`: its time at t = 0 (s).
-Columns read_columns(const std::string& path, const Place& place, const std::string& si, double start) {
+/// Takes off what the record reads in its first `zero` seconds.
+void take_off_zero(const std::string& name, double zero, Columns& columns) {
+  const std::vector<double>& time = columns.time;
+  const RecordTimes times{time, static_cast<std::size_t>(std::count_if(
+                                    time.begin(), time.end(), [&](double t) { return t - time.front() < zero; }))};
+  append(columns.notes.warnings, zero_warnings(name, times, columns.value));
+  take_off_rest(times, columns.value);
+}
+
+/// Reads and checks what all histories have in common; `si`: unit of the value.
+Columns read_columns(const std::string& path, const Place& place, const std::string& si, const HistoryChoice& choice) {
+  const double start = choice.start;
   Columns columns{read_record_table(path, place), {}, {}, {}};
   Diagnostics mistakes;
   if (columns.table.columns.size() < 2)
@@ -87,8 +100,9 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
     throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
                      "give two columns, time (s) and value");
   note_layout(columns.table, layout, columns.notes);
-  const std::size_t value = only_value(columns.table, layout, columns.notes);
+  const std::size_t value = only_value(columns.table, layout, choice.column, place, columns.notes);
   columns.value = in_si(columns.table, value, si);
+  take_off_zero(columns.table.names[value], choice.zero, columns);
   check_times(columns.table, columns.time, start, mistakes);
   mistakes.throw_if_any();
   begin_at(start, place, columns.time, columns.value);
@@ -111,8 +125,9 @@ void require_motion(LoadKind kind, const std::string& path, std::vector<double>&
 
 }  // namespace
 
-FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end, double start) {
-  Columns columns = read_columns(path, place, unit_of(kind), start);
+FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end,
+                         const HistoryChoice& choice) {
+  Columns columns = read_columns(path, place, unit_of(kind), choice);
   FileHistory history{{path, columns.time, columns.value}, {}, {}, std::move(columns.notes)};
   std::vector<double>&time = columns.time, &value = columns.value;
   if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
@@ -135,13 +150,18 @@ FileHistory read_history(const std::string& path, const Place& place, LoadKind k
   return history;
 }
 
-FileHistory read_uplift(const std::string& path, const Place& place, double start) {
-  const Columns columns = read_columns(path, place, "N/m", start);
-  const std::vector<double>& value = columns.value;
+FileHistory read_uplift(const std::string& path, const Place& place, const HistoryChoice& choice) {
+  constexpr double noise = 0.05;  // of the largest value
+  Columns columns = read_columns(path, place, "N/m", choice);
+  std::vector<double>& value = columns.value;
+  const double largest = *std::max_element(value.begin(), value.end());
+  if (choice.zero > 0.)
+    for (double& v : value)
+      if (v > -noise * largest) v = std::max(v, 0.);
   const auto negative = std::find_if(value.begin(), value.end(), [](double v) { return v < 0.; });
   if (negative != value.end())
     throw InputError(
-        start == 0. ? columns.table.place(static_cast<std::size_t>(negative - value.begin())) : Place{path},
+        choice.start == 0. ? columns.table.place(static_cast<std::size_t>(negative - value.begin())) : Place{path},
         "the uplift is " + number_text(*negative) + " N/m, below zero", "give U upward, what it takes off the weight");
   return {{path, columns.time, value}, piecewise_linear(columns.time, value), {}, columns.notes};
 }
@@ -175,12 +195,16 @@ void add_file(const std::string& path, const Place& place, FileHistory& history,
   append(source.warnings, drop_warnings(history.record, source.warnings));
 }
 
+HistoryChoice choice_of(const HistoryKeys& keys, const RecordClock& clock) {
+  return {keys.column, clock.zero, clock.record_start};
+}
+
 std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
   const auto source = begun(given);
   Load load = given.table;
   const std::string path = given.problem.resolve(given.table.history_file);
   const Place place = given.place("history");
-  FileHistory history = read_history(path, place, load.kind, given.end(), given.table.record_start);
+  FileHistory history = read_history(path, place, load.kind, given.end(), choice_of(given.table, given.table));
   load.history = history.function;
   load.duration = history.duration;
   if (!is_motion(load.kind))
@@ -199,6 +223,7 @@ LoadWay by_history() {
           [](TableSchema<LoadTable>& table) {
             table.key("history", &LoadTable::history_file, "",
                       "path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+            add_column_key(table);
           },
           [](const LoadCheck& check) { check.exactly_one("pulse", "history"); },
           read_one,
@@ -210,7 +235,7 @@ std::shared_ptr<LoadSource> read_uplift_history(const UpliftTable& uplift, const
   source->name = source->title = "sliding.uplift";
   const std::string path = problem.resolve(uplift.history_file);
   const Place place = problem.place("sliding.uplift.history");
-  FileHistory history = read_uplift(path, place, uplift.record_start);
+  FileHistory history = read_uplift(path, place, choice_of(uplift, uplift));
   source->load.history = history.function;
   add_file(path, place, history, problem.scene.time.end, *source);
   source->action = action_of(source->title, "load_cut", "record_start", history.function);

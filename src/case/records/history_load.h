@@ -20,14 +20,22 @@ struct FileHistory {
   RecordNotes notes;               ///< how it was read
 };
 
-/// Reads the file `path` (CSV or HDF5), of a load of some kind in a run until `end` (s): the time is the column whose
-/// header says so, the value the first other column that is no counter. Throws InputError where the file cannot be
-/// read, has fewer than two columns or rows, has times that do not ascend from 0, or only zeros. Two samples at one
-/// time are a jump. `place`: the key that names the file; `start`: the record's time at t = 0 of the run (s).
-FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end, double start);
+/// How a file is read.
+struct HistoryChoice {
+  std::string column;  ///< of the value; "": the first that is neither a time nor a counter, told where there are more
+  double zero = 0.;    ///< s from its beginning at rest, whose mean is taken off
+  double start = 0.;   ///< the record's time at t = 0 of the run (s)
+};
 
-/// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
-FileHistory read_uplift(const std::string& path, const Place& place, double start);
+/// Reads the file `path` (CSV or HDF5), of a load of some kind in a run until `end` (s): the time is the column whose
+/// header says so. Throws InputError where the file cannot be read, has fewer than two columns or rows, has times that
+/// do not ascend from 0, or only zeros. Two samples at one time are a jump. `place`: the key that names the file.
+FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end,
+                         const HistoryChoice& choice);
+
+/// U(t) of a prescribed uplift from such a file; it may be zero, but not negative, but for the noise of a rest that is
+/// taken off. Throws InputError as above.
+FileHistory read_uplift(const std::string& path, const Place& place, const HistoryChoice& choice);
 
 /// The uplift of [sliding.uplift] by `history`.
 std::shared_ptr<LoadSource> read_uplift_history(const UpliftTable& uplift, const Case& problem);

@@ -27,6 +27,12 @@ struct GaugeKeys : RecordClock {
   std::string load_cell;   ///< name of a column; "" where there is none
 };
 
+/// The keys of a history of one value.
+struct HistoryKeys {
+  std::string history_file;
+  std::string column;  ///< "": the first that is neither a time nor a counter
+};
+
 /// A table [measured.NAME] as written.
 struct MeasuredKeys : RecordClock {
   std::string file;     ///< as written
@@ -35,14 +41,24 @@ struct MeasuredKeys : RecordClock {
   std::string unit;     ///< "": as the header says
 };
 
-/// Declares the keys of the record's clock; `in` and `start_in` may say where each entry belongs.
-template <class T, class In, class StartIn>
-void add_clock_keys(TableSchema<T>& table, const In& in, const StartIn& start_in) {
-  in(table.key("zero", &T::zero))
+/// Declares which column of a history is its value; behind the key of its file.
+template <class T>
+void add_column_key(TableSchema<T>& table) {
+  table.key("column", &T::column, "", "name of the column of the history that is the value")
+      .fallback("the one beside the time")
+      .when(
+          "kind", [](const T& source) { return !source.history_file.empty(); }, "of a history");
+}
+
+/// Declares the keys of the record's clock; `clock_in` may say where the entries belong, `in` where the sampling rate
+/// does.
+template <class T, class In, class ClockIn>
+void add_clock_keys(TableSchema<T>& table, const In& in, const ClockIn& clock_in) {
+  clock_in(table.key("zero", &T::zero))
       .unit("s")
       .range(at_least(0.))
       .doc("how much of the record's beginning is at rest; its mean is taken off each column; 0: nothing is taken off");
-  start_in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
+  clock_in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
   in(table.key("sampling_rate", &T::sampling_rate))
       .unit("Hz")
       .range(above(0.))
