@@ -160,6 +160,9 @@ const KnownWarning known_warnings[] = {
      "as "
      "a wave of `respond` also of places and directions of loads and `[sliding]`, against 0",
      "sheet, respond", "sheet.md"},
+    {"model_of_other_section",
+     "a depth, W' or density of water of the model's section, and that of `[section]`; voids the verdict",
+     "expected, calibrate, reliability", "warnings.md#reduced-models"},
     {"momentary_liquefaction", "least effective stress over excess pressure of a region beside the caisson, and 1",
      "run", "liquefaction.md"},
     {"motion_stays", "velocity of a boundary that its acceleration leaves at the end, over the largest, and 5 %",

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "case/strain_model.h"
+#include "design/model_section.h"
 #include "fem/caisson/reading_names.h"
 #include "model/quantities.h"
 #include "upbead/output/model_file.h"
@@ -183,6 +184,7 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
   if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))
     for (const char* name : base) model.shear.base.push_back(file.modes.index(name));
   append(model.warnings, arm_warnings(file, load, section));
+  append(model.warnings, warnings_of_other_section(file, section, water));
   if (follows_strain(file))
     model.warnings.push_back(
         {"soil_of_other_wave", forces_of_case(file)[1], 0., "N/m",

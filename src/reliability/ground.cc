@@ -104,14 +104,17 @@ ModelledGround::ModelledGround(const DesignTables& tables, const std::string& fi
   auto read = read_any_model_file(file);
   if (auto* one = std::get_if<ReducedModelFile>(&read)) {
     if (!soil_.empty()) throw InputError(place, "the model '" + file + "' has one soil", "remove 'soil'");
-    kept_[{}] = held_of(*one);
-    warnings_ = one->warnings;
+    tell(*one);
   } else {
     soils_.emplace(std::move(std::get<SoilModelFile>(read)), file);
-    kept_[soil()] = held_of(of_soil(*soils_, soil_, place));
-    warnings_ = soils_->file().frame.warnings;
+    tell(of_soil(*soils_, soil_, place));
   }
   knows_base_ = !kept_.begin()->second.shear.base.empty();
+}
+
+void ModelledGround::tell(const ReducedModelFile& file) {
+  kept_[soil()] = held_of(file);
+  warnings_ = wave_model(file, table_, certain_.section, certain_.water, place_).warnings;
 }
 
 ModelledGround::Held ModelledGround::held_of(const ReducedModelFile& file) const {

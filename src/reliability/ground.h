@@ -69,6 +69,8 @@ class ModelledGround {
   /// Of samples in time (s).
   double step_of(const Breakwater& breakwater, const GroundWave& asked) const;
   Held held_of(const ReducedModelFile& file) const;
+  /// Keeps the first model, and what is to be told of it.
+  void tell(const ReducedModelFile& file);
 
   DynamicsTable table_;
   Breakwater certain_;

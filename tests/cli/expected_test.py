@@ -73,6 +73,22 @@ class Expected(ProgramTest):
             warning = "height_above_depth: look at significant_height and water_depth\n         1 of 2 sea states have an H_1/3 above the depth, the first, row 2, 23 m in 22 m"
             self.assertEqual(warning in done.stderr, told, done.stderr)
 
+    def test_a_model_of_another_section_voids_the_verdict(self):
+        model = self.folder / "other.h5"
+        own = ["--set", f"dynamics.model={model}", "--set", "dynamics.load=impact", "--set", "life.simulated_lives=5", "--set", "limits.sliding=1e3"]
+        sea = '[mesh]\ngeometry = "composite"\nparameters = { mound_height = %s, sea_front = 6.0, water_depth = 15.0 }\n'
+        for table, void in (("", False), ("[section]\nwater_depth = 15.0\nfoundation_depth = 9.0\n", False),
+                            ("[section]\nwater_depth = 12.0\nfoundation_depth = 9.0\n", True), (sea % "6.0", False),
+                            (sea % "5.0", True), ("[fluid]\ndensity = 1000.0\n", True)):
+            write_oscillator(model, mass=5.933088e6 / 9.81)
+            with h5py.File(model, "r+") as file:
+                attributes = dict(file["case"].attrs)
+                del file["case"]
+                file["case"] = 'title = "oscillator"\n' + table
+                file["case"].attrs.update(attributes)
+            verdict = self.expected(PROTOTYPE, *own)["verdict"]
+            self.assertEqual("model_of_other_section" in (verdict["why_void"] or ""), void, table)
+
     def test_without_a_model_nothing_is_dynamic(self):
         found = self.expected(HD10)
         self.assertIsNone(found["expected"]["distance_dynamic"])
