@@ -15,7 +15,7 @@ from .history import History
 from .near import hint
 from .results import Folder, read_summary, require, text_of
 from .shown import Shown
-from .tables import data_frame, data_set
+from .tables import about, data_frame, data_set
 
 if TYPE_CHECKING:
     import pandas
@@ -67,12 +67,12 @@ class CalibrationResult(Shown, Mapping[str, Any]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row for each wave and model; `attrs["units"]` has the unit of each column."""
-        return data_frame(dict(self), about={"title": self.summary.get("title", "")})
+        return data_frame(dict(self), about=about(self.summary.get("title", ""), self.summary))
 
     def to_xarray(self) -> xarray.Dataset:
         """The columns over the number of the row; the attribute `units` of each variable has its unit."""
         rows = np.arange(len(self.model_of_row))
-        return data_set({name: (("row",), values) for name, values in self.items()}, {"row": rows}, {"title": self.summary.get("title", "")})
+        return data_set({name: (("row",), values) for name, values in self.items()}, {"row": rows}, about(self.summary.get("title", ""), self.summary))
 
     def __repr__(self) -> str:
         return f"<CalibrationResult '{self.summary['title']}': models {', '.join(self.models)}>"

@@ -6,8 +6,9 @@ import warnings
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, Optional, TypeVar, Union
 
+from . import told
 from .calibration_result import CalibrationResult
 from .errors import NumericsError
 from .expected_result import ExpectedResult
@@ -23,6 +24,7 @@ from .written_case import Case, as_file, name_of
 
 Place = Optional[Union[str, "PathLike[str]"]]
 Values = Optional[Mapping[str, Any]]
+Found = TypeVar("Found")
 
 
 def run(case: Case, set: Values = None, out: Place = None, program: Place = None) -> Result:
@@ -43,7 +45,7 @@ def run(case: Case, set: Values = None, out: Place = None, program: Place = None
     Returns
     -------
     Result
-        A SlipResult if the bottom slips or lifts.
+        A SlipResult if the bottom slips or lifts. Python warns where no verdict may be drawn of it.
 
     Raises
     ------
@@ -52,13 +54,13 @@ def run(case: Case, set: Values = None, out: Place = None, program: Place = None
     NumericsError
         The case cannot be solved.
     """
-    found: Result = open_result(written("run", case, set, out, program, ""))
+    found: Result = opened(written("run", case, set, out, program, ""))
     return found
 
 
 def reduce(case: Case, set: Values = None, out: Place = None, program: Place = None) -> ReducedModel:
     """Solves a scene once for all waves: `upbead reduce`. Parameters and errors as of `run`."""
-    return open_model(written("reduce", case, set, out, program, ""))
+    return warned(open_model(written("reduce", case, set, out, program, "")))
 
 
 def study(file: Case, set: Values = None, out: Place = None, jobs: int | None = None, program: Place = None) -> StudyTable:
@@ -81,13 +83,13 @@ def study(file: Case, set: Values = None, out: Place = None, jobs: int | None = 
     more = ["--jobs", jobs] if jobs else []
     table: StudyTable
     try:
-        table = open_result(written("study", file, set, out, program, "", more))
+        table = opened(written("study", file, set, out, program, "", more))
         return table
     except NumericsError as error:  # by this the program reports that some runs failed
         folder = folder_of(file, out, "")
         if not (folder / "study.csv").is_file():
             raise
-        table = open_result(folder)
+        table = opened(folder)
         warnings.warn(f"{len(table.failed)} runs failed: {error}", stacklevel=2)
         return table
 
@@ -95,25 +97,37 @@ def study(file: Case, set: Values = None, out: Place = None, jobs: int | None = 
 def waves(design: Case, set: Values = None, out: Place = None, program: Place = None) -> WavesSummary:
     """Pressure, safety and sliding of given waves by formulas: `upbead waves`. Returns its summary, a dict. Parameters and
     errors as of `run`."""
-    found: WavesSummary = open_result(written("waves", design, set, out, program, ""))
+    found: WavesSummary = opened(written("waves", design, set, out, program, ""))
     return found
 
 
 def expected(design: Case, set: Values = None, out: Place = None, program: Place = None) -> ExpectedResult:
     """Expected sliding distance: `upbead expected`. Parameters and errors as of `run`."""
-    found: ExpectedResult = open_result(written("expected", design, set, out, program, "-expected"))
+    found: ExpectedResult = opened(written("expected", design, set, out, program, "-expected"))
     return found
 
 
 def reliability(design: Case, set: Values = None, out: Place = None, program: Place = None) -> Named:
     """Probabilities of failure: `upbead reliability`. Returns its summary, a dict. Parameters and errors as of `run`."""
-    found: Named = open_result(written("reliability", design, set, out, program, "-reliability"))
+    found: Named = opened(written("reliability", design, set, out, program, "-reliability"))
     return found
 
 
 def calibrate(design: Case, set: Values = None, out: Place = None, program: Place = None) -> CalibrationResult:
     """k(alpha*) from the caisson's own dynamics: `upbead calibrate`. Parameters and errors as of `run`."""
-    found: CalibrationResult = open_result(written("calibrate", design, set, out, program, "-calibration"))
+    found: CalibrationResult = opened(written("calibrate", design, set, out, program, "-calibration"))
+    return found
+
+
+def opened(folder: Path) -> Any:
+    return warned(open_result(folder), 4)
+
+
+def warned(found: Found, level: int = 3) -> Found:
+    """The same; Python warns where no verdict may be drawn of it, as the program would tell in its terminal."""
+    for summary in told.summaries(found):
+        if why := told.void(summary):
+            warnings.warn(f"no verdict may be drawn of '{summary.get('title') or 'this'}': {why}", stacklevel=level)
     return found
 
 

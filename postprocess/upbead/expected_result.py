@@ -16,7 +16,7 @@ from .history import History
 from .near import hint
 from .results import Folder, datasets, read_summary, require, text_of
 from .shown import Shown
-from .tables import data_frame, data_set
+from .tables import about, data_frame, data_set
 
 if TYPE_CHECKING:
     import pandas
@@ -62,12 +62,12 @@ class ExpectedResult(Shown, Mapping[str, History]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """What there is over the height of the waves (m); `attrs["units"]` has the unit of each column."""
-        return data_frame(dict(self), "height" if "height" in self else None, {"title": self.summary.get("title", "")})
+        return data_frame(dict(self), "height" if "height" in self else None, about(self.summary.get("title", ""), self.summary))
 
     def to_xarray(self) -> xarray.Dataset:
         """What there is over the height of the waves (m); the attribute `units` of each variable has its unit."""
         variables = {name: (("height",), values) for name, values in self.items() if name != "height"}
-        return data_set(variables, {"height": self["height"]} if "height" in self else {}, {"title": self.summary.get("title", "")})
+        return data_set(variables, {"height": self["height"]} if "height" in self else {}, about(self.summary.get("title", ""), self.summary))
 
     def __bool__(self) -> bool:
         return True  # of lives alone, too

@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 import h5py
 import numpy as np
 
+from . import told
 from .errors import UnknownName, UserError
 from .h5 import open_h5
 from .history import History
 from .named import Named, named
 from .near import hint
 from .shown import Shown
-from .tables import data_frame, data_set, long_columns
+from .tables import about, data_frame, data_set, long_columns
 
 if TYPE_CHECKING:
     import pandas
@@ -152,7 +153,8 @@ class Result(Shown, Mapping[str, History]):
 
     def __repr__(self) -> str:
         name = type(self).__name__
-        return f"<{name} '{self.title}': {len(self)} histories of {self.time.size} times, to {self.time[-1]:.4g} s>"
+        why = told.void(self.summary)
+        return f"<{name} '{self.title}': {len(self)} histories of {self.time.size} times, to {self.time[-1]:.4g} s{f'; VOID: {why}' if why else ''}>"
 
     def __enter__(self) -> Result:
         return self
@@ -209,17 +211,18 @@ class Result(Shown, Mapping[str, History]):
         Returns
         -------
         pandas.DataFrame
-            `attrs["units"]` and `attrs["descriptions"]` have those of each column; SI units.
+            `attrs["units"]` and `attrs["descriptions"]` have those of each column; SI units. `attrs["void"]` is why no verdict may be drawn,
+            where that is so.
 
         Raises
         ------
         MissingPackage
             pandas is not installed.
         """
-        about = {"title": self.title}
+        known = about(self.title, self.summary)
         if table is None:
-            return data_frame({"time": self.time, **{name: self[name] for name in self if name != "time"}}, "time", about)
-        return data_frame(long_columns(self.table(table), self.time), about=about)
+            return data_frame({"time": self.time, **{name: self[name] for name in self if name != "time"}}, "time", known)
+        return data_frame(long_columns(self.table(table), self.time), about=known)
 
     def to_xarray(self, table: str | None = None) -> xarray.Dataset:
         """The histories as a Dataset over time (s), or a table by its name, over time and place.
@@ -239,16 +242,16 @@ class Result(Shown, Mapping[str, History]):
         MissingPackage
             xarray is not installed.
         """
-        about = {"title": self.title}
+        known = about(self.title, self.summary)
         if table is None:
-            return data_set({name: (("time",), self[name]) for name in self if name != "time"}, {"time": self.time}, about)
+            return data_set({name: (("time",), self[name]) for name in self if name != "time"}, {"time": self.time}, known)
         columns = self.table(table)
         dimensions = {name: self.dimensions(values) for name, values in columns.items()}
         axes = {"time": self.time} if any("time" in found for found in dimensions.values()) else {}
         axes |= {"position": columns["position"]} if dimensions.get("position") == ("place",) else {}
         variables = {name: (tuple("position" if one == "place" and "position" in axes else one for one in dimensions[name]), values)
                      for name, values in columns.items() if name not in axes}
-        return data_set(variables, axes, about)
+        return data_set(variables, axes, known)
 
     def dimensions(self, values: History) -> tuple[str, ...]:
         """What the axes of a dataset are: time where an axis is as long as it, first; else a place or its number."""

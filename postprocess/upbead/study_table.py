@@ -18,7 +18,7 @@ from .history import History
 from .near import hint
 from .results import Folder, read_summary, require, text_of
 from .shown import Shown
-from .tables import data_frame, data_set
+from .tables import about, data_frame, data_set
 
 if TYPE_CHECKING:
     import pandas
@@ -68,6 +68,11 @@ class StudyTable(Shown):
         found = self.numbers(name)
         return self.words(name) if found is None else found
 
+    def sound(self, name: str) -> Any:
+        """The same with nan in void runs."""
+        found = self[name]
+        return np.where(self.void, np.nan, found) if isinstance(found, np.ndarray) else found
+
     def __contains__(self, name: object) -> bool:
         return name in self.columns
 
@@ -90,7 +95,7 @@ class StudyTable(Shown):
         MissingPackage
             pandas is not installed.
         """
-        return data_frame({name: self.column(name) for name in self.columns}, about={"title": self.name})
+        return data_frame({name: self.column(name) for name in self.columns}, about=about(self.name, self.summary))
 
     def to_xarray(self) -> xarray.Dataset:
         """The finished runs as a Dataset over their number, `run`; the attribute `units` of each variable has its unit.
@@ -102,10 +107,11 @@ class StudyTable(Shown):
         """
         columns = {name: self.column(name) for name in self.columns}
         run = columns.pop("run", np.arange(len(self)))
-        return data_set({name: (("run",), values) for name, values in columns.items()}, {"run": run}, {"title": self.name})
+        return data_set({name: (("run",), values) for name, values in columns.items()}, {"run": run}, about(self.name, self.summary))
 
     def __repr__(self) -> str:
         failed = f", {len(self.failed)} more failed" if self.failed else ""
+        failed += f", {self.void.sum()} of them void" if self.void.any() else ""
         return f"<StudyTable '{self.name}': {len(self.rows)} runs{failed}; {', '.join(self.keys + self.reads)}>"
 
     @property

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import told
 from .errors import UpbeadError
 from .history import History
 
@@ -26,6 +27,12 @@ def needed(name: str, call: str) -> Any:
         return importlib.import_module(name)
     except ModuleNotFoundError as error:
         raise MissingPackage(f"{call} needs {error.name}: pip install {error.name} (Debian: python3-{error.name})") from error
+
+
+def about(title: str, summary: Mapping[str, Any]) -> dict[str, str]:
+    """What a table says of itself: its title, and why no verdict may be drawn of its numbers."""
+    why = told.void(summary)
+    return {"title": title, **({"void": why} if why else {})}
 
 
 def unit_of(values: Any) -> str:

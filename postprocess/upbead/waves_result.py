@@ -12,7 +12,7 @@ from .history import History
 from .named import Named
 from .results import Folder
 from .shown import Shown
-from .tables import data_frame, data_set
+from .tables import about, data_frame, data_set
 
 if TYPE_CHECKING:
     import pandas
@@ -31,12 +31,12 @@ class WavesSummary(Shown, Named):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row for each wave, by its name; `attrs["units"]` has the unit of each column."""
-        return data_frame({"wave": list(self["waves"]), **self.columns()}, "wave", {"title": self.get("title", "")})
+        return data_frame({"wave": list(self["waves"]), **self.columns()}, "wave", about(self.get("title", ""), self))
 
     def to_xarray(self) -> xarray.Dataset:
         """The numbers of the waves over their names; the attribute `units` of each variable has its unit."""
         variables = {name: (("wave",), values) for name, values in self.columns().items()}
-        return data_set(variables, {"wave": list(self["waves"])}, {"title": self.get("title", "")})
+        return data_set(variables, {"wave": list(self["waves"])}, about(self.get("title", ""), self))
 
     def __repr__(self) -> str:
         names = list(self["waves"])

@@ -7,6 +7,7 @@ import json
 import sys
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import h5py
@@ -16,7 +17,7 @@ from scripts import call
 SCRIPTS = Path(sys.argv[1])
 sys.path.insert(0, str(SCRIPTS))
 import upbead  # noqa: E402
-from upbead import figures, told  # noqa: E402
+from upbead import commands, figures, told  # noqa: E402
 
 CUT = [{"name": "load_cut", "text": "the run ends before its load", "cure": "let it end later"}]
 VOID = {"verdict": {"why_void": "load_cut", "text": "VOID"}, "warnings": CUT}
@@ -36,6 +37,8 @@ class Doubts(unittest.TestCase):
 
     def run_with(self, summary):
         time = np.linspace(0.0, 1.0, 11)
+        self.folder = self.folder / "another"  # what is open is not written again
+        self.folder.mkdir()
         with h5py.File(self.folder / "results.h5", "w") as file:
             for name in ("time", "force", "inertia_force", "shear_force", "caisson/displacement_x"):
                 file[f"history/{name}"] = time
@@ -87,6 +90,26 @@ class Doubts(unittest.TestCase):
         frame = self.study_with("", "load_cut").to_pandas()
         self.assertEqual(frame["void"].tolist(), ["", "load_cut"])
         self.assertEqual(self.study_with("", "").to_pandas()["void"].tolist(), ["", ""])  # words, as in the other
+
+    def test_tables_of_a_void_run_say_so(self):
+        result = self.run_with(VOID)
+        self.assertEqual(result.to_pandas().attrs["void"], "load_cut")
+        self.assertIn("VOID: load_cut", repr(result))
+        sound = self.run_with(DOUBTED)
+        self.assertEqual(("void" in sound.to_pandas().attrs, "VOID" in repr(sound)), (False, False))
+
+    def test_a_command_warns_of_void_results(self):
+        result = self.run_with(VOID)
+        with self.assertWarnsRegex(UserWarning, "no verdict may be drawn of 'A run': load_cut"):
+            self.assertIs(commands.warned(result), result)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            commands.warned(self.run_with(DOUBTED))
+
+    def test_numbers_of_sound_runs_alone_are_drawn(self):
+        table = self.study_with("", "load_cut")
+        np.testing.assert_array_equal(table.sound("c.d"), [0.5, np.nan])
+        self.assertIn("1 of them void", repr(table))
 
     def test_a_notebook_tells_void_runs_of_a_study(self):
         self.assertIn("No verdict may be drawn: run 1: load_cut", self.study_with("", "load_cut")._repr_html_())

@@ -62,7 +62,7 @@ def draw_panel(axis, tables, panel):
         table = tables[study, scale]
         x = table[key] * length**power
         x = x / 0.15 if study == "rise" else x / 1e6 if study == "stiffness" else x
-        axis.plot(x, table[RATIO], "o-", ms=3, color=colour, label=scale)
+        axis.plot(x, table.sound(RATIO), "o-", ms=3, color=colour, label=scale)
     if study in ("peak", "stiffness", "permeability"):
         axis.set_xscale("log")
     axis.set_xlabel(label)
@@ -82,7 +82,7 @@ def draw_duration(axis, tables, spectra):
         table = tables["duration", scale]
         for sea, style in ((6.0, "o-"), (0.0, "x:")):
             rows = table["mesh.parameters.sea_front"] == sea
-            td, ratio = table["loads.impulse.pulse.duration"][rows], table[RATIO][rows]
+            td, ratio = table["loads.impulse.pulse.duration"][rows], table.sound(RATIO)[rows]
             period = limit * td[0] / ratio[0]
             axis.plot(td / period, ratio, style, ms=3, color=colour,
                       label=f"{scale}, {'sea' if sea else 'no sea'}, T = {1e3 * period:.3g} ms")

@@ -39,9 +39,9 @@ def slip_safety(tables: Sequence[StudyTable], scales: Sequence[float] | None = N
 
 
 def draw(axes, table, scale):
-    safety = 1.0 / table["sliding.ratio"]
+    safety = 1.0 / table.sound("sliding.ratio")
     for key, name, line, colour in MEASURES:
-        slip = 1e3 * scale * table[key]
+        slip = 1e3 * scale * table.sound(key)
         shown = slip > LEAST
         axes.plot(safety[shown], slip[shown], line, color=colour, ms=3.5, lw=1.2, label=name)
     axes.set(yscale="log", xlabel=r"safety factor $\mu W' / F_{T,\mathrm{max}}$")

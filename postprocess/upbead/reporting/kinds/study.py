@@ -52,8 +52,7 @@ def void_runs(study):
 
 def sound_numbers(study, name):
     """A column with nan in void runs, unless all are void; None of words."""
-    values = study.numbers(name)
-    return values if values is None or study.void.all() else np.where(study.void, np.nan, values)
+    return study.numbers(name) if study.numbers(name) is None or study.void.all() else study.sound(name)
 
 
 def numeric(study):
