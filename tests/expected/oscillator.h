@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "caissons.h"
-#include "upbead/expected/dynamic_law.h"
+#include "expected/dynamic_law.h"
 
 namespace upbead::test {
 
