@@ -1,11 +1,13 @@
 // Loads by an idealised history: [loads.NAME.pulse].
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "case/case_checks.h"
 #include "case/case_schema.h"
 #include "case/load_source.h"
 #include "model/motion.h"
+#include "model/quantities.h"
 #include "model/words.h"
 
 namespace upbead {
@@ -70,6 +72,20 @@ void check_pulses(const LoadCheck& check) {
           "give at least that");
 }
 
+/// Warning implausible: a pulse of acceleration that is weak in m/s2 and strong in g, as of a record without a unit. A
+/// power of ten is a unit load, and a factor below 1 weakens a motion on purpose.
+NumberedWarnings warnings_of_weak_motion(const GivenLoad& given, double own_peak) {
+  constexpr double largest_in_g = 1.;
+  const double peak = std::abs(own_peak) * std::max(std::abs(given.table.factor), 1.);
+  if (given.table.kind != LoadKind::acceleration || !(peak > 0.) || peak >= largest_in_g ||
+      is_unit_load(std::abs(own_peak)))
+    return {};
+  return {{"implausible", peak, largest_in_g, "m/s2",
+           "loads." + given.name + ".pulse.peak = " + significant(own_peak, 4) +
+               " is taken in m/s2: in g it would be " + significant(9.81 * peak, 4) + " m/s2",
+           "give the peak in m/s2; a motion as weak as that by peak = 1 and the load's factor", true}};
+}
+
 std::shared_ptr<LoadSource> read_pulse(const GivenLoad& given) {
   const auto source = begun(given);
   const PulseTable& pulse = *given.table.pulse;
@@ -78,6 +94,7 @@ std::shared_ptr<LoadSource> read_pulse(const GivenLoad& given) {
   if (pulse.number > 1) load.history = repeated(load.history, pulse.number, *pulse.period);
   load.duration = is_motion(load.kind) ? motion_duration(load.kind, pulse) : duration(pulse);
   const Load& made = source->made[given.name] = with_factor(load);
+  if (source->acts()) append(source->warnings, warnings_of_weak_motion(given, pulse.peak));
   const bool harmonic = pulse.shape == PulseShape::harmonic;
   if (source->acts())
     source->action =

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "case/strain_model.h"
 #include "design/model_section.h"
+#include "dynamics/answer_error.h"
 #include "fem/caisson/reading_names.h"
 #include "model/quantities.h"
 #include "upbead/output/model_file.h"
@@ -189,8 +190,12 @@ WaveModel wave_model(const ReducedModelFile& file, const DynamicsTable& table, c
     model.warnings.push_back(
         {"soil_of_other_wave", forces_of_case(file)[1], 0., "N/m",
          "the soil of the model follows its strain: all waves are answered with the stiffness that P = " +
-             with_unit(forces_of_case(file)[1], "N/m") + " has left, though each leaves another",
-         "reduce the case with a load of about the size of the waves that slide the caisson, and look how S changes"});
+             with_unit(forces_of_case(file)[1], "N/m") +
+             " has left, though each leaves another, so that S of them may be wrong by far more than any error that is "
+             "told",
+         "judge S by the formulas, or solve the waves that slide the caisson by 'upbead run'", true});
+  model.nested = file.nested;
+  model.tolerance = file.tolerance;
   if (file.contact) model.nodes = std::make_shared<const ReducedModelFile>(file);
   if (file.circles) model.shear.circles = std::make_shared<const CircleModel>(*file.circles);
   return model;
@@ -225,6 +230,7 @@ void Laws::read_model(const Design& design, const std::vector<SeaState>& record)
   double longest = 0.;
   for (const SeaState& state : record) longest = std::max(longest, 0.5 * state.period);
   model_ = {model.title, model.load, table.step.value_or(rise / steps_of_a_rise), rise, model.warnings};
+  of_file_ = std::make_shared<const WaveModel>(model);
   circles_ = model.shear.circles;
   nodes_ = model.nodes;
   load_ = model.shear.load;
@@ -245,6 +251,29 @@ std::vector<DearSlip> Laws::slips(const NodeAnswer& answer, const std::vector<Sa
   for (const SampledWave& one : waves)
     on_bottom.push_back(dynamic(one.wave.sea)->on_bottom(one.wave.height, one.wave.factors));
   return answer(*nodes_, load_, on_bottom);
+}
+
+NumberedWarnings Laws::error_warnings(const SeaState& state, double height) const {
+  if (!of_file_) return {};
+  const WaveModel& model = *of_file_;
+  if (!model.nested)
+    return {{"no_error_estimate", 0., model.tolerance, "1",
+             "the model of [dynamics] holds nothing from which the error of F_T follows",
+             "make the model again with 'upbead reduce'"}};
+  const DynamicWave wave = dynamic(state)->wave(height);
+  const auto n = static_cast<Eigen::Index>(wave.force.size());
+  WaveSamples loads = WaveSamples::Zero(static_cast<Eigen::Index>(model.shear.modes.load_name.size()), n);
+  loads.row(model.shear.load) = Eigen::Map<const Eigen::RowVectorXd>(wave.force.data(), n) / model.shear.force_per_load;
+  const double peak = Eigen::Map<const Eigen::RowVectorXd>(wave.shear.data(), n).cwiseAbs().maxCoeff();
+  const ResponseError errors(model.shear.modes, model.shear.shear, *model.nested, model_->step, static_cast<int>(n), 1);
+  const double error = peak > 0. ? errors.of(loads).bound() / peak : 0.;
+  if (error <= model.tolerance) return {};
+  return {{"reduced_model_error", error, model.tolerance, "1",
+           "F_T of the highest wave, " + significant(height, 4) + " m, may be wrong by up to " +
+               significant(100. * error, 2) + " % by the model of [dynamics] (tolerance " +
+               significant(100. * model.tolerance) + " %)",
+           "reduce again with a load as short as the impacts or a smaller [accuracy] tolerance, or march such a wave "
+           "with 'upbead run'"}};
 }
 
 std::optional<WorstBase> Laws::base(Law law, const DrawnWave& wave) const {

@@ -27,6 +27,8 @@ struct WaveModel {
   ShearModel shear;
   NumberedWarnings warnings;                        ///< of its scene
   std::shared_ptr<const ReducedModelFile> nodes{};  ///< the file, where it has contact node by node; else null
+  std::optional<NestedModels> nested{};             ///< larger models, which tell errors of F_T; none in old files
+  double tolerance = 0.;                            ///< that the model was made for, of F_T over its peak
 };
 
 /// Chooses the load of a reduced model. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson,
@@ -75,6 +77,9 @@ class Laws {
   /// S of waves with slip and lift node by node; only where knows_nodes().
   std::vector<DearSlip> slips(const NodeAnswer& answer, const std::vector<SampledWave>& waves) const;
   bool knows_nodes() const { return nodes_ != nullptr; }
+  /// Warnings reduced_model_error and no_error_estimate of F_T in a wave of that height, as respond tells them of its
+  /// waves; none without a model.
+  NumberedWarnings error_warnings(const SeaState& state, double height) const;
 
  private:
   void read_model(const Design& design, const std::vector<SeaState>& record);
@@ -82,6 +87,7 @@ class Laws {
   Breakwater breakwater_;
   ImpactAssumptions impact_;
   std::optional<ModelUsed> model_;
+  std::shared_ptr<const WaveModel> of_file_;
   std::shared_ptr<const ShearAnswer> answer_;
   std::shared_ptr<const CircleModel> circles_;
   std::shared_ptr<const ReducedModelFile> nodes_;

@@ -266,6 +266,18 @@ void add_routes(double by_formulas, double by_dynamics, const std::string& what,
                   "believed"});
 }
 
+/// Warning would_lift: an edge of the base, which the reduced model has bonded, is in tension in the highest wave.
+void add_lift(const ExpectedAnswer& answer, NumberedWarnings& list) {
+  if (answer.nodes || !answer.base.dynamic || !(answer.base.dynamic->edge_stress < 0.)) return;
+  const double stress = answer.base.dynamic->edge_stress;
+  list.push_back({"would_lift", stress, 0., "Pa",
+                  "in the highest wave of a sea state an edge of the base lifts: bonded, as in the model, it bears a "
+                  "tension of up to " +
+                      with_unit(-stress, "Pa") +
+                      ", which a real base does not, and S, pressures and margins of the law dynamic know nothing of",
+                  "solve such a wave by 'upbead run' with [regions.caisson.interface] kind = \"friction\""});
+}
+
 /// Warns where nodes slip farther than a block, where some waves have no answer, and where there is none at all.
 void add_nodes(const ExpectedAnswer& answer, NumberedWarnings& list) {
   constexpr double alike = 1.05, doubtful = 0.2;
@@ -425,6 +437,7 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
   }
   if (const auto dynamic = answer.total.find(Law::dynamic); dynamic != answer.total.end())
     add_routes(answer.total.at(Law::exact).distance, dynamic->second.distance, "the expected distance", limits, list);
+  add_lift(answer, list);
   add_nodes(answer, list);
   for (const auto* lives : {&answer.monte_carlo, &answer.formula_lives})
     if (*lives) {

@@ -381,6 +381,10 @@ void integrate(const Design& design, const Laws& laws, const std::vector<SeaStat
   integrate_states(laws, answer.states);
   answer.total = total_of(answer.states);
   answer.base = worst_base(answer.states);
+  const auto highest = std::max_element(answer.states.begin(), answer.states.end(),
+                                        [](const auto& a, const auto& b) { return a.base.height < b.base.height; });
+  if (answer.model && highest != answer.states.end())
+    append(answer.model->warnings, laws.error_warnings(highest->state, highest->base.height));
   answer.waves = waves_above(answer.states, 0.);
   answer.highest = height_of(answer.states, 1.);
   for (const auto& [name, height] : design.tables.sea->heights)
@@ -406,7 +410,7 @@ NumberedWarnings heights_above_depth(const std::vector<SeaState>& record, double
                " sea states have an H_1/3 above the depth, the first, row " + std::to_string(first + 1) + ", " +
                significant(state.significant_height, 4) + " m in " + significant(water, 4) +
                " m of water: a mark for a missing value, or another unit",
-           "look at significant_height and water_depth"}};
+           "look at significant_height and water_depth", true}};
 }
 
 }  // namespace

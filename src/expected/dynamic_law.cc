@@ -185,7 +185,11 @@ std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& fact
   const ImpactWave wave = on_wall(height, factors);
   const std::vector<double> force = sampled(wave);
   const Section section = with_factors(forces_.breakwater().section, factors);
-  return worst_of(base_extremes(base_under(wave, force, section), times(force.size())));
+  const EffectiveBase base = base_under(wave, force, section);
+  const std::vector<double> time = times(force.size());
+  WorstBase worst = worst_of(base_extremes(base, time));
+  worst.edge_stress = least_edge_stress(base, time).stress;
+  return worst;
 }
 
 namespace {

@@ -167,7 +167,7 @@ NumberedWarnings rocking_warnings(const Summary& summary) {
     return {{"rocks_on_edge", std::max(contact.opening_seaward, contact.opening_landward), 0., "m",
              "the whole bottom lifts from the ground, from " + significant(*contact.first_open) +
                  " s on at one end: what presses on the ground when it comes down is not known, and neither is S",
-             "make the caisson heavier, or let less uplift act"}};
+             "make the caisson heavier, or let less uplift act", true}};
   return {{"rocks_on_edge", opening, 0., "m",
            std::string("at ") + significant(heel ? base.peak_heel_pressure_time : base.peak_toe_pressure_time) +
                " s the caisson stands on its " + (heel ? "landward" : "seaward") +

@@ -82,7 +82,7 @@ void judge_course(const std::string& key, const std::string& what, const std::ve
                     key + ": " + what + (side < 0. ? " rises" : " falls") + " from " + significant(before) + " to " +
                         significant(value) + " at a strain of " + significant(table[i][0]) + ", and that of soil " +
                         (side < 0. ? "falls" : "rises") + " with the strain",
-                    "give pairs (strain, value) of one curve"});
+                    "give pairs (strain, value) of one curve", true});
     return;
   }
 }

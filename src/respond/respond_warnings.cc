@@ -82,7 +82,8 @@ const Doubt doubts[] = {
      [](const ContactSummary& contact) {
        const NodeContact& solved = *contact.solved;
        return solved.least_contact == 0. ? std::max(solved.opening_seaward, solved.opening_landward) : 0.;
-     }},
+     },
+     true},
     {"no_settlement", "m",
      "an edge of the base lifts: ground that is elastic keeps no settlement and no tilt of that, and stones do",
      "solve the wave by 'upbead run' with a mound whose law yields, or take settlement and tilt from tests",

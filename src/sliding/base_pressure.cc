@@ -99,7 +99,7 @@ WorstBase worst_of(const BaseExtremes& s) {
 WorstBase worst_of(const WorstBase& a, const WorstBase& b) {
   return {std::max(a.heel_pressure, b.heel_pressure), std::max(a.toe_pressure, b.toe_pressure),
           std::abs(b.eccentricity) > std::abs(a.eccentricity) ? b.eccentricity : a.eccentricity,
-          std::min(a.overturning_margin, b.overturning_margin)};
+          std::min(a.overturning_margin, b.overturning_margin), std::min(a.edge_stress, b.edge_stress)};
 }
 
 }  // namespace upbead

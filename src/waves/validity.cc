@@ -75,15 +75,18 @@ void judge_wave(const CheckedWave& s, NumberedWarnings& list) {
 }
 
 /// The usual mistake is kN for N, or W in place of W'; a footing or rounded corners change the buoyancy by less than
-/// a fifth.
+/// a fifth. A W' above what the width leaves of W is a safety that is not: told, and voids, from where a run does.
 void judge_weight(const Section& c, const Water& water, NumberedWarnings& list) {
   const double given = c.weight - c.submerged_weight;
   const double displaced = water.density * water.gravity * c.foundation_depth * c.width;
-  if (std::abs(given - displaced) > 0.2 * displaced)
+  const double in_water = std::abs(c.weight - displaced), excess = displaced - given;
+  constexpr double unsafe = 0.02, void_above = 0.1;
+  const bool far = std::abs(given - displaced) > 0.2 * displaced || excess > void_above * in_water;
+  if (far || excess > unsafe * in_water)
     list.push_back({"buoyancy", given, displaced, "N/m",
                     "W - W' = " + significant(given, 4) +
                         " N/m, but a caisson of width B displaces rho g h' B = " + significant(displaced, 4) + " N/m",
-                    "check the units of weight and submerged_weight (N/m), and which of them is in water"});
+                    "check the units of weight and submerged_weight (N/m), and which of them is in water", far});
 }
 
 void judge_section(const Section& c, NumberedWarnings& list) {

@@ -72,6 +72,30 @@ class Expected(ProgramTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             warning = "height_above_depth: look at significant_height and water_depth\n         1 of 2 sea states have an H_1/3 above the depth, the first, row 2, 23 m in 22 m"
             self.assertEqual(warning in done.stderr, told, done.stderr)
+            found = self.expected(self.folder / "sea.toml", "--set", "limits.sliding=1e3")["verdict"]
+            self.assertEqual("height_above_depth" in (found["why_void"] or ""), told, found)
+
+    def test_soil_of_another_wave_voids_the_verdict(self):
+        """Lives have waves of all sizes, and the model the stiffness that one has left."""
+        model = self.folder / "model.h5"
+        own = ["--set", f"dynamics.model={model}", "--set", "dynamics.load=impact", "--set", "life.simulated_lives=5", "--set", "limits.sliding=1e3"]
+        for table, void in (("", False), ("[regions.seabed.strain]\n", True)):
+            write_oscillator(model, mass=5.933088e6 / 9.81)
+            with h5py.File(model, "r+") as file:
+                attributes = dict(file["case"].attrs)
+                del file["case"]
+                file["case"] = 'title = "oscillator"\n' + table
+                file["case"].attrs.update(attributes)
+            verdict = self.expected(PROTOTYPE, *own)["verdict"]
+            self.assertEqual("soil_of_other_wave" in (verdict["why_void"] or ""), void, verdict)
+            if void:
+                self.assertIsNone(verdict["holds"])
+
+    def test_a_table_that_nothing_uses_is_told(self):
+        for settings, told in (([], False), (["--set", 'impact.force="proverbs"'], True)):
+            done = upbead("expected", HD10, *settings, "--json", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("table_not_used" in [w["name"] for w in json.loads(done.stdout)["warnings"]], told)
 
     def test_a_model_of_another_section_voids_the_verdict(self):
         model = self.folder / "other.h5"

@@ -103,6 +103,7 @@ class RespondContact(ProgramTest):
         found = self.told("respond", "model/reduced.h5", "huge.csv", "--end", END, "--out", "thrown")
         self.assertLess({"still_slides", "rocks_on_edge", "no_settlement"}, {warning["name"] for warning in found["warnings"]} | {"more"})
         self.assertIn("still_slides", found["why_void"])
+        self.assertIn("rocks_on_edge", found["why_void"], "S of a caisson that was thrown is not known")
         for name in ("a", "b"):
             self.expect_same(waves[name], self.run_of(name, uplift=UPLIFT), 8)
         self.assertLess(waves["a"]["contact"]["solved"]["least_contact"], 0.8)

@@ -79,6 +79,20 @@ class Signer(ProgramTest):
             with self.subTest(setting):
                 self.assertEqual(self.names(setting) - before, set((name or "").split()))
 
+    def test_a_curve_that_no_soil_has_voids_the_verdict(self):
+        for more, name in CURVES[2:]:
+            with self.subTest(more):
+                verdict = self.ask("run", STRAIN % more, "limits.sliding=1")["verdict"]
+                self.assertEqual("implausible" in (verdict["why_void"] or ""), name is not None, verdict)
+
+    def test_a_pulse_of_an_acceleration_may_be_in_g(self):
+        base = SECTION.split("[loads.impulse]")[0].replace('displacement = "roller"', 'displacement = "level"') + "[time]\nend = 1.5\n" + SLIDING
+        for peak, factor, told in ((0.3, 1, True), (-0.3, 1, True), (0.3, 9.81, False), (3, 1, False), (3, 0.1, False), (0.1, 1, False)):
+            quake = (f'loads.quake={{ boundary = "base", kind = "acceleration", factor = {factor}, '
+                     f'pulse = {{ shape = "half_sine", peak = {peak}, duration = 0.5 }} }}')
+            with self.subTest(peak=peak, factor=factor):
+                self.assertEqual("implausible" in self.names(quake, text=base), told)
+
     def test_an_acceleration_without_a_unit_may_be_in_g(self):
         base = SECTION.split("[loads.impulse]")[0].replace('displacement = "roller"', 'displacement = "level"') + "[time]\nend = 1.5\n" + SLIDING
         for header, peak, factor, told in (("acc", 0.2, 1, True), ("acc", 0.2, 9.81, False), ("acc", 2, 1, False), ("acc", 2, 0.1, False),

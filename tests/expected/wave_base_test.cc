@@ -165,6 +165,17 @@ TEST(WaveBase, OwnDynamicsOfARigidCaissonAreStatics) {
   EXPECT_NEAR(law.base(8.)->toe_pressure, s.submerged_weight / s.width, 1e-6) << "at rest";
 }
 
+/// N'/B - 6 |M'|/(1.26 B^2), as a run tells it.
+TEST(WaveBase, TheStressOfABondedEdgeIsToldInMotion) {
+  const DynamicLaw law = law_of(rigid(true));
+  const Section s = medium_caisson().section;
+  const WorstBase low = *law.base(1.), high = *law.base(8.);
+  EXPECT_GT(low.edge_stress, 0.);
+  EXPECT_LT(low.edge_stress, s.submerged_weight / s.width);
+  EXPECT_LT(high.edge_stress, low.edge_stress);
+  EXPECT_EQ(worst_of(low, high).edge_stress, high.edge_stress);
+}
+
 TEST(WaveBase, AModelWithoutReadingsOfTheBaseTellsNothing) {
   EXPECT_FALSE(law_of(rigid(false)).base(8.));
 }

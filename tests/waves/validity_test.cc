@@ -6,6 +6,7 @@
 
 #include "sections.h"
 #include "upbead/waves/wave_heights.h"
+#include "waves/section_warnings.h"
 
 namespace upbead::test {
 namespace validity_test {
@@ -111,6 +112,22 @@ TEST(Warnings, TellOfWeightsThatDoNotFitTheWidth) {
   EXPECT_EQ(names(s, calm), Names{});
   s.weight *= 1.2;
   EXPECT_EQ(names(s, calm), Names{"buoyancy"});
+}
+
+/// A run warns of a W' that is 2 % too large, and voids its verdict above 10 %.
+TEST(Warnings, TellOfAWeightInWaterThatIsTooLarge) {
+  Section s = ordinary();
+  const double in_water = s.weight - 1030. * 9.81 * s.foundation_depth * s.width;
+  const auto found = [&s, in_water](double excess) {
+    s.submerged_weight = (1. + excess) * in_water;
+    std::string of;
+    for (const NumberedWarning& w : section_warnings(s, {1030., 9.81}))
+      if (w.name == "buoyancy") of += w.voids ? "void" : "told";
+    return of;
+  };
+  EXPECT_EQ(found(0.01), "");
+  EXPECT_EQ(found(0.05), "told");
+  EXPECT_EQ(found(0.12), "void");
 }
 
 TEST(Warnings, TellOfOddWaves) {

@@ -63,6 +63,7 @@ struct WorstBase {
   double heel_pressure = 0., toe_pressure = 0.;  ///< Pa; infinity where the resultant leaves the base there
   double eccentricity = 0.;                      ///< of largest magnitude, landward (m)
   double overturning_margin = leaves;            ///< least; infinity where nothing overturns
+  double edge_stress = leaves;                   ///< least of a bonded edge, tension negative (Pa); where it was sought
 };
 WorstBase worst_of(const BaseExtremes& extremes);
 /// The worst of both, quantity by quantity.
