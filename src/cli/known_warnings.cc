@@ -145,8 +145,8 @@ const KnownWarning known_warnings[] = {
      "last value of a record over its largest, and 50 %, where it ends before the run and drops to zero; voids the "
      "verdict from 90 %",
      "run, explain", "warnings.md#loads-and-the-end"},
-    {"load_left_out", "acting loads of the model's case that waves of the design do not have, and 0",
-     "expected, reliability", "expected.md#warnings"},
+    {"load_left_out", "acting loads of the model's case that no wave has, and 0", "expected, reliability, respond",
+     "expected.md#warnings"},
     {"load_zero", "when the load begins to act, and the end (s); voids the verdict", "run, explain, respond",
      "warnings.md#loads-and-the-end"},
     {"long_period", "T, and 30 s", "waves, reliability", "waves.md#warnings"},

@@ -243,6 +243,28 @@ std::string circle_text(const std::optional<CircleInWave>& circle) {
   return significant(circle->factor, 4) + " " + circle->slips + when;
 }
 
+namespace {
+
+/// Warning load_left_out: no wave has a load that acts in the model's case, as where its column is missing.
+NumberedWarnings left_out_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const auto has = [k](const WaveFile& file) {
+      for (int w = 0; w < file.n_waves(); ++w)
+        if (!file.wave(w).row(static_cast<Eigen::Index>(k)).isZero(0.)) return true;
+      return false;
+    };
+    if (model.loads[k].peak > 0. && std::none_of(files.begin(), files.end(), has))
+      names.push_back(model.modes.load_name[k]);
+  }
+  if (names.empty()) return {};
+  return {{"load_left_out", static_cast<double>(names.size()), 0., "1",
+           "no wave has " + join(names) + ", which acts in the model's case: it is zero in all answers",
+           "give the files a column for it, or 'upbead respond' the case itself"}};
+}
+
+}  // namespace
+
 NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                 const std::vector<WaveResponses>& responses) {
   double largest = 0.;
@@ -250,7 +272,7 @@ NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector
     if (response.force.size() > 0)
       largest = std::max(largest, static_cast<double>(response.force.cwiseAbs().maxCoeff()));
   const double weight = model.base ? model.base->weight : model.caisson_mass * earth;
-  NumberedWarnings list;
+  NumberedWarnings list = left_out_warnings(model, files);
   if (!(weight > 0.) || are_unit_loads(files)) return list;
   judge("the largest force of the waves", largest,
         of(quantities::load_on_weight, weight, "N/m", "beside the caisson's weight"), list);

@@ -13,8 +13,8 @@ namespace upbead {
 /// Warnings of how waves were read, and of waves that are zero throughout.
 NumberedWarnings warnings_of_files(const std::vector<WaveFile>& files);
 
-/// Warning implausible where the largest force of all waves is none beside the caisson's weight; loads of unit size,
-/// powers of ten, are asked for ratios.
+/// Warning load_left_out of loads of the model's case that no wave has; implausible where the largest force of all
+/// waves is none beside the caisson's weight; loads of unit size, powers of ten, are asked for ratios.
 NumberedWarnings force_warnings(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                 const std::vector<WaveResponses>& responses);
 

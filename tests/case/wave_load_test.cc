@@ -80,8 +80,8 @@ TEST_F(WaveLoadTest, RunAnswersWithPAndU) {
   EXPECT_NEAR(run.summary.response->peak_force, pressure.force, 1e-12 * pressure.force);
   EXPECT_NEAR(*run.summary.response->arm, pressure.force_moment / pressure.force, 1e-8);
   ASSERT_EQ(run.summary.waves.size(), 1u);
-  EXPECT_EQ(run.summary.waves[0].force, pressure.force);
-  EXPECT_EQ(run.summary.waves[0].uplift, pressure.uplift);
+  EXPECT_EQ(run.summary.waves[0].pressure.force, pressure.force);
+  EXPECT_EQ(run.summary.waves[0].pressure.uplift, pressure.uplift);
   EXPECT_EQ(run.summary.sliding->submerged_weight, section_of_test.submerged_weight);
   EXPECT_EQ(run.summary.sliding->friction, section_of_test.friction);
   // tau_0 is that of the same wave

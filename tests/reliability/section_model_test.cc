@@ -26,7 +26,7 @@ RandomVariable variable(const std::string& acts_on, double mean, double deviatio
 
 DesignTables section_with(const std::map<std::string, RandomVariable>& variables) {
   DesignTables tables;
-  tables.section = stranger_section();
+  tables.section = test::stranger_section();
   tables.waves["design"].height = 8.;
   tables.waves["design"].period = 12.;
   tables.limits.sliding = 0.3;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../output/sample_model.h"
@@ -128,6 +129,21 @@ TEST(RespondWaves, AnEndThatCutsAWaveOrItsAnswerIsTold) {
     EXPECT_TRUE(list[0].voids);
     EXPECT_NE(list[0].cure.find("--end"), std::string::npos);
   }
+}
+
+TEST(RespondWaves, TellsOfALoadOfTheCaseThatNoWaveHas) {
+  ReducedModelFile model = oscillator();
+  WaveFile lacks = triangle(0.0005), has = lacks;
+  has.value.row(1).setConstant(1e3);
+  const auto is_told = [&model](const std::vector<WaveFile>& files) {
+    const NumberedWarnings list = force_warnings(model, files, {});
+    return std::any_of(list.begin(), list.end(), [](const auto& one) { return one.name == "load_left_out"; });
+  };
+  model.loads[1].peak = 2e3;
+  EXPECT_TRUE(is_told({lacks}));
+  EXPECT_FALSE(is_told({lacks, has}));
+  model.loads[1].peak = 0.;
+  EXPECT_FALSE(is_told({lacks}));
 }
 
 TEST(RespondWaves, PeaksAreFoundBetweenTheSamples) {
