@@ -100,13 +100,14 @@ NumberedWarnings warnings_of_options(const RespondArguments& arguments, const Re
   judge("--friction", arguments.friction, quantities::friction, list);
   judge("--buoyant-weight", arguments.submerged_weight,
         of(of_weight, weight, "N/m", "W' is less than the weight in air, its upper bound here"), list);
-  constexpr double heavier = 1.1;  // as submerged_weight of a run
+  constexpr double unsafe = 0.02, mistaken = 0.1;  // as submerged_weight of a run
   const double own = model.sliding ? model.sliding->submerged_weight : model.base ? model.base->weight : infinity;
-  if (arguments.submerged_weight && *arguments.submerged_weight > heavier * own && list.empty())
+  const double excess = arguments.submerged_weight.value_or(0.) / own - 1.;
+  if (excess > unsafe && list.empty())
     list.push_back({"submerged_weight", *arguments.submerged_weight, own, "N/m",
-                    "--buoyant-weight " + with_unit(*arguments.submerged_weight, "N/m") +
-                        " is more than a tenth above " + with_unit(own, "N/m") + " of the model's case",
-                    "give W' in still water, W less the weight of the displaced water"});
+                    "--buoyant-weight " + with_unit(*arguments.submerged_weight, "N/m") + " is " +
+                        significant(100. * excess, 2) + " % above " + with_unit(own, "N/m") + " of the model's case",
+                    "give W' in still water, W less the weight of the displaced water", excess > mistaken});
   return list;
 }
 

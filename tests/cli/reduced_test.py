@@ -179,6 +179,11 @@ class Reduced(ProgramTest):
         for option, value in (("--buoyant-weight", 3000), ("--buoyant-weight", 9e6), ("--friction", 6)):
             told = self.told("respond", "model/reduced.h5", own, option, value, "--out", "unit")["warnings"]
             self.assertEqual([w["name"] for w in told if option in w["text"]], ["implausible"], (option, value))
+        for share, void in ((1.01, None), (1.05, False), (1.2, True)):
+            answer = self.told("respond", "model/reduced.h5", own, "--buoyant-weight", share * 4.296e6, "--out", "heavy")
+            told = [w for w in answer["warnings"] if w["name"] == "submerged_weight"]
+            self.assertEqual(len(told), 0 if void is None else 1, share)
+            self.assertEqual("submerged_weight" in (answer["why_void"] or ""), bool(void), share)
 
     def test_a_case_as_a_wave_is_of_the_scene_of_the_model(self):
         self.told("reduce", self.scene("own.toml"), "--out", "model")
