@@ -167,6 +167,8 @@ OutputFolder::OutputFolder(const std::string& path) : name_(path) {
   target_ = fs::weakly_canonical(fs::absolute(path), code);
   if (code) fail("cannot use the output folder '" + path + "'", code);
   if (!target_.has_filename()) target_ = target_.parent_path();
+  // all links that lead somewhere are followed by now
+  if (fs::is_symlink(fs::symlink_status(target_, code))) fail("the output folder '" + path + "' is a link to nothing");
   if (is_there(target_) && !is_folder(target_)) fail("the output folder '" + path + "' is a file");
   check_rights();
   make_parents();

@@ -48,6 +48,12 @@ class OutputFolderTest : public testing::Test {
   fs::path root_;
 };
 
+TEST_F(OutputFolderTest, IsNoLinkToNothing) {
+  fs::create_symlink(root_ / "nothing", root_ / "link");
+  EXPECT_THROW(OutputFolder((root_ / "link").string()), InputError) << "before any work";
+  EXPECT_EQ(n_entries(), 1);
+}
+
 TEST_F(OutputFolderTest, AppearsWithCommit) {
   const fs::path target = root_ / "deep" / "out";
   {
