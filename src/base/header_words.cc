@@ -134,10 +134,20 @@ std::optional<std::string> unit_in_any_letters(std::string text) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the letter that ends here is a Chinese, Japanese or Korean one (U+3000 to U+D7FF), and one of ASCII follows.
+bool ends_a_wide_letter(const std::string& name, std::size_t at) {
+  const auto byte = [&name](std::size_t i) { return static_cast<unsigned char>(name[i]); };
+  return at >= 2 && byte(at) >= 0x80U && byte(at - 2) >= 0xE3U && byte(at - 2) <= 0xEDU && byte(at + 1) < 0x80U;
+}
+
+}  // namespace
+
 std::optional<UnitAtEnd> unit_at_end(const std::string& name) {
   constexpr std::size_t longest_end = 20;
   for (std::size_t at = name.size() > longest_end ? name.size() - longest_end : 1; at + 1 < name.size(); ++at) {
-    if (std::string_view("_ .-").find(name[at]) == std::string_view::npos) continue;
+    if (std::string_view("_ .-").find(name[at]) == std::string_view::npos && !ends_a_wide_letter(name, at)) continue;
     const auto unit = unit_in_any_letters(name.substr(at + 1));
     if (!unit || unit_of(*unit)->si == "1") continue;
     const std::size_t last = name.find_last_not_of("_ .-", at);

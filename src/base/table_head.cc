@@ -1,6 +1,7 @@
 #include "base/table_head.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/header_words.h"
 #include "base/text.h"
@@ -41,9 +42,20 @@ std::string unquoted(std::string_view text) {
   return std::string(trimmed(plain));
 }
 
+/// Brackets at the end as ASCII has them: those of Japanese keyboards have full width.
+std::string with_narrow_brackets(std::string text) {
+  for (const auto& [wide_open, wide_close, pair] : {std::array<std::string, 3>{"（", "）", "()"}, {"［", "］", "[]"}}) {
+    const std::size_t close = text.rfind(wide_close), open = text.rfind(wide_open);
+    if (close == std::string::npos || close + wide_close.size() != text.size() || open == std::string::npos) continue;
+    text.replace(close, wide_close.size(), pair.substr(1));
+    text.replace(open, wide_open.size(), pair.substr(0, 1));
+  }
+  return text;
+}
+
 /// The name and the unit of "p1 (kPa)", "p1 [kPa]", "p1 / kPa" or "p1".
 std::pair<std::string, std::string> heading(const std::string& written) {
-  const std::string text = unquoted(written);
+  const std::string text = with_narrow_brackets(unquoted(written));
   const std::size_t open = text.find_last_of("([");
   if (open == std::string::npos || open == 0 || !in_brackets(std::string_view(text).substr(open))) {
     const std::size_t slash = slash_before_unit(text);

@@ -29,6 +29,7 @@ const std::vector<Quantity>& quantities() {
         {"ms", 1e-3},
         {"us", 1e-6},
         {"sec", 1.},
+        {"秒", 1.},
         {"msec", 1e-3},
         {"min", 60.},
         {"h", 3600.},
@@ -77,8 +78,40 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
     text.replace(at, old.size(), by);
 }
 
-std::string plain(std::string text) {
+/// Full-width letters of Japanese keyboards, U+FF01 to U+FF5E, as those of ASCII.
+std::string narrow(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U; };
+    const unsigned code = byte(0) == 0xEFU ? ((byte(1) & 0x3FU) << 6U) + (byte(2) & 0x3FU) : 0U;  // less U+F000
+    const bool wide = code >= 0xF01U && code <= 0xF5EU;
+    out += wide ? static_cast<char>(code - 0xF01U + 0x21U) : text[i];
+    if (wide) i += 2;
+  }
+  return out;
+}
+
+/// "m s-2" as "m/s2", where a unit precedes.
+std::string with_slash(std::string text) {
+  for (const char* power : {"m-1", "m-2", "m-3", "s-1", "s-2"}) {
+    const std::string end(power);
+    if (text.size() <= end.size() || text.compare(text.size() - end.size(), end.size(), end) != 0) continue;
+    text.replace(text.size() - end.size(), end.size(),
+                 "/" + end.substr(0, 1) + (end.back() == '1' ? "" : end.substr(2)));
+    break;
+  }
+  return text;
+}
+
+std::string plain(const std::string& given) {
+  std::string text = narrow(given);
+  replace_all(text, " per ", "/");
   for (const char* ignored : {" ", "^", "*", "·", "."}) replace_all(text, ignored, "");
+  replace_all(text, "⁻", "-");
+  replace_all(text, "¹", "1");
+  text = with_slash(text);
+  if (text.compare(0, 2, "KN") == 0 || text.compare(0, 2, "KP") == 0) text.front() = 'k';  // nobody means kelvin
+  replace_all(text, "N/M", "N/m");
   replace_all(text, "²", "2");
   replace_all(text, "µ", "u");
   replace_all(text, "μ", "u");

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/header_words.h"
 #include "base/text.h"
 
 namespace upbead {
@@ -54,6 +55,14 @@ TEST_F(Csv, ReadsColumns) {
   EXPECT_EQ(table.columns, (std::vector<std::vector<double>>{{0., 0.5}, {1e6, 2.}, {-2.5, 3.}}));
   EXPECT_EQ(table.lines, (std::vector<int>{2, 4}));
   EXPECT_EQ(table.place(1).line, 4);
+}
+
+TEST_F(Csv, ReadsUnitsInBracketsOfFullWidth) {
+  const CsvTable table = read("時間（秒）,波力（kN/m）,圧力［ｋＰａ］,力kN/m\n0,1,2,3\n1,2,3,4\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"時間", "波力", "圧力", "力kN/m"}));
+  EXPECT_EQ(table.units, (std::vector<std::string>{"秒", "kN/m", "ｋＰａ", ""}));
+  EXPECT_EQ(unit_at_end("力kN/m").value().known.si, "N/m");
+  EXPECT_FALSE(unit_at_end("µm")) << "no name, but a unit";
 }
 
 TEST_F(Csv, ReadsWhatSpreadsheetsWrite) {

@@ -13,6 +13,14 @@ TEST(Units, AreReadHoweverTheyAreWritten) {
     EXPECT_EQ(unit_of(text)->si, "Pa") << text;
     EXPECT_EQ(unit_of(text)->factor, 1e3) << text;
   }
+  for (const char* text : {"KN/M", "kN m-1", "kN m^-1", "kN m⁻¹", "kN per m", "ｋＮ／ｍ"}) {
+    ASSERT_TRUE(unit_of(text)) << text;
+    EXPECT_EQ(unit_of(text)->si, "N/m") << text;
+    EXPECT_EQ(unit_of(text)->factor, 1e3) << text;
+  }
+  EXPECT_EQ(unit_of("m s-2").value().si, "m/s2");
+  EXPECT_EQ(unit_of("s-1").value().si, "1/s");
+  EXPECT_EQ(unit_of("秒").value().si, "s");
   for (const char* text : {"kN m/m", "kN.m/m", "kN*m/m", "kNm/m"}) {
     ASSERT_TRUE(unit_of(text)) << text;
     EXPECT_EQ(unit_of(text)->si, "N m/m") << text;
