@@ -121,8 +121,10 @@ const KnownWarning known_warnings[] = {
      "study.md#which-key-makes-the-scatter"},
     {"indices_uncertain", "half an interval of an index, and 0.1", "indices", "study.md#which-key-makes-the-scatter"},
     {"jump_with_alpha", "the step, and 0 (s)", "run, explain", "warnings.md#steps-and-cells"},
-    {"large_strain", "largest shear strain of a cell, and 0.05: small strains and undeformed ground are assumed", "run",
-     "warnings.md#soil-that-yields"},
+    {"large_strain",
+     "largest shear strain of a cell, and 0.05: small strains and undeformed ground are assumed; above 0.1 it voids "
+     "the verdict",
+     "run", "warnings.md#soil-that-yields"},
     {"levels_not_used",
      "levels of `[levels]`, at which nothing of a run, and no probability, distance or life, is, and 0",
      "run, explain, expected, reliability", "failure-chances.md#ways-to-fail"},

@@ -155,6 +155,9 @@ std::vector<CompactedSoil> find_densification(const Evidence& e) {
 
 /// Beyond this strain the geometry of the small-strain equations errs by as much as results may, some percent.
 constexpr double large_strain = 0.05;
+/// Beyond this one they err by more than a tenth, as `submerged_weight` may: ground that shears so much has failed, or
+/// is far from where its equations are.
+constexpr double too_large_strain = 0.1;
 /// slip_line: strain of a cell over that of the cells beside it, a choice; a smooth strain reaches 2 or 3 on coarse
 /// cells. least_strain: below a tenth of a percent no result depends on one cell.
 constexpr double slip_line = 3., least_strain = 1e-3;
@@ -286,7 +289,8 @@ NumberedWarnings yielding_warnings(const Summary& summary) {
          "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
              ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
              "about that percentage, and a slope or base that fails may seem to hold or move too far",
-         "take residual displacements as rough, and look whether a slope or base fails " + where(peak)});
+         "take residual displacements as rough, and look whether a slope or base fails " + where(peak),
+         peak.value > too_large_strain});
   if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
     list.push_back(
         {"slip_line", *peak.over_neighbours, slip_line, "1",

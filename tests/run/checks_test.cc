@@ -66,6 +66,21 @@ Summary judged(Summary s, const Scene& given = scene()) {
   return s;
 }
 
+TEST(Checks, AVerdictAtRestSaysThatNothingJudgesTheLoads) {
+  const auto text = [](const std::string& name) {
+    Check check;
+    check.name = name;
+    check.by = "statics";
+    check.demand = 1.;
+    check.capacity = 1.2;
+    check.limit = "safety";
+    check.holds = true;
+    return verdict_of({check}, {}).text;
+  };
+  EXPECT_NE(text("strength at rest").find("; no check judges what the loads do to it"), std::string::npos);
+  EXPECT_EQ(text("tilt").find("no check judges"), std::string::npos);
+}
+
 TEST(Checks, TheWorseRouteGoverns) {
   Summary s = summary();
   EXPECT_EQ(verdict_of(judged(s).checks, {}).holds, true);

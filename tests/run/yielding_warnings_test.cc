@@ -30,6 +30,16 @@ TEST(YieldingWarnings, TellSlipLinesAndLargeStrains) {
   EXPECT_TRUE(yielding_warnings(Summary()).empty());
 }
 
+TEST(YieldingWarnings, StrainsAboveATenthVoidTheVerdict) {
+  const auto voids = [](double strain) {
+    Summary summary;
+    summary.nonlinear.emplace().peak_strain = {strain, {1., 2.}, {}};
+    return yielding_warnings(summary).front().voids;
+  };
+  EXPECT_FALSE(voids(0.09));
+  EXPECT_TRUE(voids(0.18));
+}
+
 /// Of hysteretic soil with another start, and a caisson that ends at 50 mm.
 Check displacement(double moved, double of_other_start) {
   Scene scene;
