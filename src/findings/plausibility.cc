@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
@@ -117,9 +118,31 @@ void judge_damping(const std::string& at, const Region& region, const Scene& sce
                     "look at damping.frequencies (Hz), between which the ratio is that of damping.ratio", true});
 }
 
+/// C1 = 7600 (100 D_r)^-2.5 of D_r = 1 to 0.2 is 0.08 to 4.2, C2 = 0.4/C1 (Byrne 1991).
+void judge_densification(const std::string& at, const Densification& law, NumberedWarnings& list) {
+  judge(at + "threshold", law.threshold, quantities::threshold_strain, list);
+  judge(at + "c1", law.c1, {"1", 0.03, 10., 0.05, 6., {{"percent", 1e-2}}, "sand has 0.1 to 4"}, list);
+  judge(at + "c2", law.c2, {"1", 0.03, 15., 0.06, 8., {{"percent", 1e-2}}, "sand has 0.1 to 4"}, list);
+}
+
+/// Cohesion of the softest mud alone, where no friction helps, is some 500 Pa; and c'/G is the strain at which soil
+/// fails: of clays 1/1000 to 1/50, of rock less.
+void judge_strength(const std::string& at, const Strength& strength, double G, NumberedWarnings& list) {
+  constexpr double none = 0.15, mud = 300., strain = 0.1;  // degrees: a small angle in place of zero; Pa
+  const bool rubs = strength.friction_angle > none;
+  if (rubs) judge(at + "friction_angle", strength.friction_angle, quantities::friction_angle, list);
+  Quantity cohesion = quantities::cohesion;
+  if (!rubs) cohesion.low = mud;
+  if (G > 0.) cohesion.high = std::clamp(strain * G, 10. * cohesion.low, cohesion.high);
+  judge(at + "cohesion", strength.cohesion, cohesion, list);
+  judge(at + "dilatancy_angle", strength.dilatancy_angle,
+        {"degrees", 0.5, 40., 1., 25., {{"radians", 180. / pi}}, "dense sand has 5 to 15"}, list);
+  judge(at + "tension", strength.tension,
+        {"Pa", 50., 1e8, 500., 2e7, quantities::cohesion.meant, "cemented soil has 1e3 to 1e5"}, list);
+}
+
 void judge_soil(const std::string& at, const Region& region, const Scene& scene, double B, NumberedWarnings& list) {
-  if (region.densification)
-    judge(at + "densification.threshold", region.densification->threshold, quantities::threshold_strain, list);
+  if (region.densification) judge_densification(at + "densification.", *region.densification, list);
   if (region.damping) judge_damping(at, region, scene, B, list);
   if (const auto& law = region.stress_law) {
     judge(at + "shear_modulus.reference", law->reference, quantities::modulus, list);
@@ -134,11 +157,7 @@ void judge_soil(const std::string& at, const Region& region, const Scene& scene,
     judge(at + "strain.smallest_damping", law->smallest_damping, quantities::smallest_damping, list);
     judge(at + "strain.largest_damping", law->largest_damping, quantities::largest_damping, list);
   }
-  if (!region.strength) return;
-  constexpr double none = 0.15;  // degrees: a small angle in place of zero
-  if (region.strength->friction_angle > none)
-    judge(at + "strength.friction_angle", region.strength->friction_angle, quantities::friction_angle, list);
-  judge(at + "strength.cohesion", region.strength->cohesion, quantities::cohesion, list);
+  if (region.strength) judge_strength(at + "strength.", *region.strength, stiffness_of(region), list);
 }
 
 void judge_pores(const std::string& at, const Region& region, NumberedWarnings& list) {

@@ -71,7 +71,7 @@ double inverse(double value) {
 
 // From mud (G_max 1e5 to 1e6) to steel (8e10). Sand and gravel under 10 to 500 kPa: Hardin and Richart (1963), Seed and
 // Idriss (1970), 1e7 to 3e8.
-const Quantity modulus{"Pa", 1e4, 1e12, 1e6, 3e11, pascals, "sand has 1e7 to 3e8"};
+const Quantity modulus{"Pa", 1e5, 1e12, 1e6, 3e11, pascals, "sand has 1e7 to 3e8"};
 // Concrete and its fill, steel; cells smeared over a section, timber.
 const Quantity caisson_modulus{"Pa", 1e8, 1e12, 5e9, 3e11, pascals, "concrete has 3e10"};
 // As a share of the weight of the soil above its base, rho' g H: G_max/sigma' of clays is 100 and more, of sands 500

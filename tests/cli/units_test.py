@@ -96,6 +96,10 @@ class Units(ProgramTest):
         self.assertIn("in kPa, write 2e+04",
                       self.told(scene((soil[0], soil[1] % (30, 20))))["regions.seabed.strength.cohesion"])
         self.assertEqual(self.told(scene((soil[0], soil[1] % (0.001, 20e3)))), {}, "undrained strength")
+        for strength, key in (("friction_angle = 0, cohesion = 60", "cohesion"), ("cohesion = 60e9", "cohesion"),
+                              ("dilatancy_angle = 0.2", "dilatancy_angle"), ("tension = 10", "tension")):
+            text = scene((soil[0], 'kind = "porous"\nlaw = "mohr_coulomb"\nstrength = { %s }' % strength))
+            self.assertIn(f"regions.seabed.strength.{key}", self.told(text))
         uplift = scene() + SLIDING + '[sliding.uplift]\nkind = "prescribed"\npeak = 800\n'
         self.assertIn("in kN/m, write 8e+05", self.told(uplift)["sliding.uplift.peak"])
         self.assertIn("in kN/m", next(w["text"] for w in self.all_told(scene() + SLIDING, "sliding.submerged_weight=4300")
