@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/table_text.h"
 #include "base/text.h"
 #include "base/text_file.h"
 
@@ -93,7 +94,9 @@ std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
   text << file.rdbuf();
-  return text.str();
+  const std::string mark = text.str().substr(0, 2);
+  // editors of Windows write "Unicode" as UTF-16
+  return mark == "\xFF\xFE" || mark == "\xFE\xFF" ? as_utf8(text.str(), path, Place()) : text.str();
 }
 
 /// The tree that one override stands for: nested tables with one entry each, and the value at the end.

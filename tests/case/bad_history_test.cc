@@ -43,6 +43,10 @@ const std::vector<BadHistory> rows{
     BadHistory{"OneRow", "time,force\n0,1\n", "force.csv: a history of one row; give two rows or more"},
     BadHistory{"Word", "time,force\n0,0\n0.1, high\n",
                "force.csv:3:6: 'high' is not a number (column force); give a finite number such as 1.5e6"},
+    BadHistory{
+        "UnitInEachCell", "time,force\n0,0 kN/m\n0.1,5 kN/m\n",
+        "force.csv:2:3: '0 kN/m' is not a number (column force), one of 2 such cells; give a finite number such as "
+        "1.5e6"},
     BadHistory{"EmptyCell", "time,force\n0,0\n0.1,\n",
                "force.csv:3:5: an empty cell (column force); give a finite number such as 1.5e6"},
     BadHistory{"TooFewCells", "time,force\n0,0\n0.1\n",

@@ -100,6 +100,12 @@ TEST_F(DocumentTest, RefusesKeysWithoutEnd) {
   EXPECT_EQ(refusal("a = \"'\" # don't" + numbers + "]\n"), "");
 }
 
+TEST_F(DocumentTest, ReadsUtf16ThatAByteOrderMarkTells) {
+  std::string text("\xFF\xFE");
+  for (const char c : std::string("a = 1\r\nb = = 2\r\n")) text += std::string{c, '\0'};
+  EXPECT_EQ(refusal(text).substr(path_.size(), 14), ":2:5: not TOML");
+}
+
 TEST_F(DocumentTest, TellsWhereTomlBreaks) {
   EXPECT_EQ(refusal("a = 1\nb = = 2\n").substr(path_.size(), 14), ":2:5: not TOML");
   EXPECT_EQ(refusal("a = 1\na = 2\n").substr(path_.size(), 5), ":2:5:");

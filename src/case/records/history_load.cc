@@ -96,6 +96,7 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
   mistakes.throw_if_any();
   const RecordLayout layout = layout_of(columns.table);
   columns.time = times_of(columns.table, layout);
+  if (layout.values.empty() && !layout.words.empty()) static_cast<void>(columns.table.numbers(layout.words.back()));
   if (layout.values.empty())
     throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
                      "give two columns, time (s) and value");
