@@ -18,10 +18,27 @@ std::string plain_part(const std::string& path) {
 const Json* find(const Json& json, const std::string& path) {
   const Json* at = &json;
   for (const std::string& key : split_dotted(path)) {
+    if (at->is_array()) {
+      const auto item =
+          std::find_if(at->begin(), at->end(), [&key](const Json& i) { return i.value("name", "") == key; });
+      if (item == at->end()) return nullptr;
+      at = &*item;
+      continue;
+    }
     if (!at->is_object() || !at->contains(key)) return nullptr;
     at = &at->at(key);
   }
   return at;
+}
+
+/// Whether a number stands at a path in which a name of the user is: "wave_loads.storm.safety_sliding"; or the name of
+/// an item of a list: "checks.tilt.margin".
+bool names_a_number(const std::vector<std::string>& keys) {
+  if (keys.size() != 3) return false;
+  const std::string list = keys[0] + "[]." + keys[2], named = keys[0] + ".NAME." + keys[2];
+  const std::vector<OutputRow> rows = summary_outputs().rows();
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const OutputRow& row) { return row.is_number && (row.path == list || row.path == named); });
 }
 
 }  // namespace
@@ -45,6 +62,11 @@ std::string objection_to_reading(const std::string& path) {
     return keys.size() == 3
                ? ""
                : "of gauges it takes gauges.NAME.peak_force or the like, such as gauges.\"sliding.uplift\".arm";
+  if (keys.front() == "wave_loads" && !names_a_number(keys))
+    return "of a wave it takes wave_loads.NAME.safety_sliding or the like";
+  if (keys.front() == "checks" && !names_a_number(keys))
+    return "of a check it takes its margin or the like by its name, as checks.\"sliding distance\".margin";
+  if (keys.front() == "wave_loads" || keys.front() == "checks") return "";
   if (keys.front() == "loads") return keys.size() == 3 ? "" : "of a load it takes loads.NAME.arm or the like";
   const std::vector<std::string>& known = readable_paths();
   if (std::find(known.begin(), known.end(), path) != known.end()) return "";

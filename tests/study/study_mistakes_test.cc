@@ -75,6 +75,9 @@ const std::vector<BadStudy> rows{
     BadStudy{"ReadOfNothing", "response.peak_shear", "response.peak_sheer",
              "study.toml:4:1: 'response.peak_sheer' cannot be read: no summary has it; did you mean "
              "'response.peak_shear'?"},
+    BadStudy{"ReadOfAWavesWord", "response.peak_shear", "wave_loads.wave.reading",
+             "study.toml:4:1: 'wave_loads.wave.reading' cannot be read: of a wave it takes "
+             "wave_loads.NAME.safety_sliding or the like"},
     BadStudy{"ReadTwice", "[\"response.peak_shear\"]", "[\"response.peak_shear\", \"response.peak_shear\"]",
              "study.toml:4:1: a number is read twice; remove one of them"},
     BadStudy{"NumberForAPath", "[\"response.peak_shear\"]", "[3]",
