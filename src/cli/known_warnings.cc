@@ -236,8 +236,10 @@ const KnownWarning known_warnings[] = {
     {"reduced_model_error", "the largest bound of an error of F_T among the waves, and the model's tolerance",
      "respond, expected, reliability", "warnings.md#reduced-models"},
     {"rest_open",
-     "whether the ground carries the weights is not known: the factor by which its strength may fall, and 1", "run",
-     "warnings.md#soil-that-yields"},
+     "whether the ground carries the weights is not known: the factor by which its strength may fall, and 1; of "
+     "elastic "
+     "soil the share of a region whose stress at rest exceeds its strength, and 0.5",
+     "run", "warnings.md#soil-that-yields"},
     {"rocks_on_edge",
      "by how much the other edge lifts, and 0 (m), with friction node by node; voids the verdict where the whole "
      "bottom "

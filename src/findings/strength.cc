@@ -40,10 +40,24 @@ SkippedList no_strength(const Simulation& simulation, bool) {
   return {{"strength of the soil", "no region has a table strength"}};
 }
 
-/// Warning strength.
+/// Warning rest_open: of elastic soil whose elastic stress at rest exceeds its strength in most of a region, as that of
+/// a slope which does not stand; of mounds that do, two fifths exceed it.
+void add_doubtful_rest(const MobilisedStrength& s, NumberedWarnings& list) {
+  constexpr double of_mounds = 0.5;
+  if (s.initial_share <= of_mounds) return;
+  list.push_back(
+      {"rest_open", s.initial_share, of_mounds, "1",
+       "in " + significant(100. * s.initial_share, 2) + " % of region '" + s.region +
+           "' the elastic stresses at rest exceed the soil's strength: whether the ground stands under its own "
+           "weight is not known",
+       "ask for it by initial.safety = true"});
+}
+
+/// Warnings strength and rest_open.
 NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
   NumberedWarnings list;
-  for (const MobilisedStrength& s : summary.strength)
+  for (const MobilisedStrength& s : summary.strength) {
+    if (!summary.safety) add_doubtful_rest(s, list);
     if (s.share > s.initial_share + least_yielding)
       list.push_back({"strength", s.largest, 1., "1",
                       "in " + significant(100. * s.share, 2) + " % of region '" + s.region + "' (" +
@@ -53,6 +67,7 @@ NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
                           place_text(s.at) + " at " + significant(s.time) +
                           " s: it would yield, which linear soil does not",
                       "use [regions." + s.region + ".strain], smaller loads, or a stronger soil"});
+  }
   return list;
 }
 

@@ -19,8 +19,8 @@ const Json* find(const Json& json, const std::string& path) {
   const Json* at = &json;
   for (const std::string& key : split_dotted(path)) {
     if (at->is_array()) {
-      const auto item =
-          std::find_if(at->begin(), at->end(), [&key](const Json& i) { return i.value("name", "") == key; });
+      const auto item = std::find_if(at->begin(), at->end(),
+                                     [&key](const Json& i) { return i.is_object() && i.value("name", "") == key; });
       if (item == at->end()) return nullptr;
       at = &*item;
       continue;

@@ -79,7 +79,7 @@ void try_history(std::string_view bytes) {
     check_function(history.function);
     require(history.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
   }
-  read_or_refuse([&] { check_function(read_uplift(path, key, 0.).function); });
+  read_or_refuse([&] { check_function(read_uplift(path, key, {}).function); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact", "slow"}).front()); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact"}).front()); });
 }
