@@ -138,7 +138,7 @@ void check_reads(const Checker& check) {
   for (const std::string& path : check.study.read)
     if (const std::string objection = objection_to_reading(path); !objection.empty())
       check.add("read", "'" + path + "' cannot be read: " + objection,
-                suggestion(path, readable_paths(), "numbers of summary.json"));
+                objection == not_in_a_summary ? suggestion(path, readable_paths(), "numbers of summary.json") : "");
   const std::set<std::string> different(check.study.read.begin(), check.study.read.end());
   if (different.size() != check.study.read.size()) check.add("read", "a number is read twice", "remove one of them");
 }

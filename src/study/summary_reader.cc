@@ -72,7 +72,7 @@ std::string objection_to_reading(const std::string& path) {
   if (std::find(known.begin(), known.end(), path) != known.end()) return "";
   for (const OutputRow& row : summary_outputs().rows())
     if (plain_part(row.path) == path) return "it is no number";
-  return "no summary has it";
+  return not_in_a_summary;
 }
 
 std::vector<std::optional<double>> numbers_at(const Json& summary, const std::vector<std::string>& paths) {

@@ -11,6 +11,8 @@
 
 namespace upbead {
 
+inline constexpr const char* not_in_a_summary = "no summary has it";  ///< of a name that is near another, perhaps
+
 /// Why a path cannot be read from any summary; "" where it can. Wall times cannot, as they differ from run to run.
 std::string objection_to_reading(const std::string& path);
 

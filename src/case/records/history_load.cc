@@ -35,23 +35,39 @@ void check_times(const CsvTable& table, const std::vector<double>& time, double 
     }
 }
 
-/// A history has one value: that of the column which is named, else the first. Another one would be as good, so that
-/// this is a guess.
-std::size_t only_value(const CsvTable& table, const RecordLayout& layout, const std::string& name, const Place& place,
-                       RecordNotes& notes) {
-  if (!name.empty()) return column_of(table, name, place);
-  const std::size_t value = layout.values.front();
-  if (layout.values.size() == 1) return value;
-  for (std::size_t i = 1; i < layout.values.size(); ++i)
-    if (table.names[layout.values[i]] == table.names[value])
+/// The columns of values whose unit may be that of the history; all of them where none is.
+std::vector<std::size_t> fitting_values(const CsvTable& table, const RecordLayout& layout, const std::string& si) {
+  std::vector<std::size_t> list;
+  for (const std::size_t c : layout.values) try {
+      unit_of_column(table, c, si);
+      list.push_back(c);
+    } catch (const InputError&) {
+      continue;  // of another quantity
+    }
+  return list.empty() ? layout.values : list;
+}
+
+/// A history has one value: that of the column which is named, else the one whose unit fits. Of several that fit the
+/// first is taken, though another one would be as good, so that this is a guess.
+std::size_t only_value(const CsvTable& table, const RecordLayout& layout, const std::string& si,
+                       const std::string& name, const Place& place, RecordNotes& notes) {
+  const std::vector<std::size_t> fit = fitting_values(table, layout, si);
+  const std::size_t value = name.empty() ? fit.front() : column_of(table, name, place);
+  std::vector<std::size_t> others;
+  std::copy_if(layout.values.begin(), layout.values.end(), std::back_inserter(others),
+               [value](std::size_t c) { return c != value; });
+  if (!others.empty())
+    notes.left_out.push_back({column_text(table, others.front()) +
+                                  (others.size() > 1 ? " and " + std::to_string(others.size() - 1) + " more" : ""),
+                              "a history has one value, here " + in_quotes(table.names[value])});
+  if (!name.empty() || fit.size() == 1) return value;
+  for (std::size_t i = 1; i < fit.size(); ++i)
+    if (table.names[fit[i]] == table.names[value])
       throw InputError({table.path, 1, 1}, "two columns are called " + in_quotes(table.names[value]),
                        "keep the one that is meant, or give each a name of its own");
-  std::string what = column_text(table, layout.values[1]);
-  if (layout.values.size() > 2) what += " and " + std::to_string(layout.values.size() - 2) + " more";
-  notes.left_out.push_back({what, "a history has one value, here " + in_quotes(table.names[value])});
-  notes.warnings.push_back({"column_chosen", static_cast<double>(layout.values.size()), 1., "1",
+  notes.warnings.push_back({"column_chosen", static_cast<double>(fit.size()), 1., "1",
                             std::filesystem::path(table.path).filename().string() + " has " +
-                                std::to_string(layout.values.size()) + " columns of values, and the first, " +
+                                std::to_string(fit.size()) + " columns of values that fit, and the first, " +
                                 in_quotes(table.names[value]) + ", is taken",
                             "name the one that is meant by column = \"...\", or keep it alone beside the time", true});
   return value;
@@ -101,7 +117,7 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
     throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
                      "give two columns, time (s) and value");
   note_layout(columns.table, layout, columns.notes);
-  const std::size_t value = only_value(columns.table, layout, choice.column, place, columns.notes);
+  const std::size_t value = only_value(columns.table, layout, si, choice.column, place, columns.notes);
   columns.value = in_si(columns.table, value, si);
   take_off_zero(columns.table.names[value], choice.zero, columns);
   check_times(columns.table, columns.time, start, mistakes);
