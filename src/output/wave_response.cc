@@ -71,6 +71,7 @@ const OutputSchema<WaveResponse>& wave_outputs() {
   static const auto schema =
       OutputSchema<W>()
           .key("peak_force", &W::peak_force, "N/m", "largest P, landward")
+          .key("peak_force_seaward", &W::peak_force_seaward, "N/m", "least P: the largest seaward one is negative")
           .key("peak_shear", &W::peak_shear, "N/m", "largest F_T, landward")
           .key("peak_shear_time", &W::peak_shear_time, "s", "time of the largest F_T")
           .key("peak_shear_seaward", &W::peak_shear_seaward, "N/m", "least F_T: the largest seaward one is negative")

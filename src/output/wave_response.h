@@ -44,6 +44,7 @@ struct PeaksOfShear {
 /// Results for one wave. Landward positive, as in a run.
 struct WaveResponse {
   double peak_force = 0.;          ///< largest P (N/m)
+  double peak_force_seaward = 0.;  ///< least P (N/m)
   double peak_shear = 0.;          ///< largest F_T (N/m)
   double peak_shear_time = 0.;     ///< s
   double peak_shear_seaward = 0.;  ///< least F_T (N/m)

@@ -59,9 +59,9 @@ void set_peaks(const std::vector<double>& time, const Eigen::RowVectorXd& P, con
   out.peak_shear = landward.value;
   out.peak_shear_time = landward.time;
   out.peak_shear_seaward = -largest(time, -F, smooth).value;
-  const double P_seaward = P.minCoeff();
-  const bool seaward = -P_seaward > out.peak_force;
-  const double force = seaward ? P_seaward : out.peak_force;
+  out.peak_force_seaward = P.minCoeff();
+  const bool seaward = -out.peak_force_seaward > out.peak_force;
+  const double force = seaward ? out.peak_force_seaward : out.peak_force;
   if (force != 0.) out.ratio = (seaward ? out.peak_shear_seaward : out.peak_shear) / force;
 }
 

@@ -28,7 +28,7 @@ class Soils(ProgramTest):
     def setUp(self):
         super().setUp()
         subprocess.run([os.environ["UPBEAD_SAMPLE_SOILS"], self.folder / "soils.h5"], check=True)
-        (self.folder / "roof.csv").write_text("time,impact\n0,0\n0.05,1.6e6\n0.1,4e5\n1.5,0\n")
+        (self.folder / "roof.csv").write_text("time,impact,slow\n0,0,0\n0.05,1.6e6,1\n0.1,4e5,0\n1.5,0,0\n")
 
     def respond(self, *arguments, **options):
         return upbead("respond", "soils.h5", "roof.csv", *arguments, cwd=self.folder, **options)

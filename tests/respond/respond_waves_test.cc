@@ -157,6 +157,7 @@ TEST(RespondWaves, PeaksAreFoundBetweenTheSamples) {
 TEST(RespondWaves, ASeawardWaveHasTheSameRatio) {
   const WaveResponse landward = answer(triangle(0.0005)).waves[0], seaward = answer(triangle(0.0005, -1.6e6)).waves[0];
   EXPECT_NEAR(seaward.peak_shear_seaward, -landward.peak_shear, 1e-6);
+  EXPECT_EQ(seaward.peak_force_seaward, -landward.peak_force);
   EXPECT_NEAR(*seaward.ratio, *landward.ratio, 1e-12);
 }
 

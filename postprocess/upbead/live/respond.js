@@ -30,7 +30,7 @@ function peaks(time, P, F, smooth) {
   const landward = peakOf(time, F, 1, smooth), seaward = peakOf(time, F, -1, smooth);
   const most = peakOf(time, P, 1, false).value, least = -peakOf(time, P, -1, false).value;
   const isSeaward = -least > most, force = isSeaward ? least : most, shear = isSeaward ? -seaward.value : landward.value;
-  return {peak_force: most, peak_shear: landward.value, peak_shear_time: landward.time,
+  return {peak_force: most, peak_force_seaward: least, peak_shear: landward.value, peak_shear_time: landward.time,
     peak_shear_seaward: -seaward.value, ratio: force === 0 ? null : shear / force};
 }
 

@@ -20,6 +20,7 @@ export function liftOf({worst, time}) {
 export function rowsOf(answer, asked) {
   const rows = [
     ["peak_force", "largest P", quantity(answer.peak_force, "N/m"), answer.peak_force],
+    ["peak_force_seaward", "least P (seaward)", quantity(answer.peak_force_seaward, "N/m"), answer.peak_force_seaward],
     ["peak_shear", "largest F_T", quantity(answer.peak_shear, "N/m"), answer.peak_shear],
     ["peak_shear_time", "at", quantity(answer.peak_shear_time, "s"), answer.peak_shear_time],
     ["ratio", "peak F_T / peak P", answer.ratio === null ? "none" : percent(answer.ratio, 3), answer.ratio],
