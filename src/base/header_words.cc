@@ -121,14 +121,13 @@ std::optional<std::string> unit_in_any_letters(std::string text) {
     if (const std::size_t at = text.find(per); at != std::string::npos)
       text.replace(at, std::string_view(per).size(), "/");
   std::replace(text.begin(), text.end(), '_', '/');
-  if (unit_of(text)) return text;
   const std::string small = lower(text);
   const bool one_case =
       small == text || std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::islower(c) != 0; });
-  if (!one_case || small.front() == 'm') return {};
   for (const char* known :
        {"kPa", "Pa", "hPa", "kN/m", "N/m", "kN/m2", "N/m2", "kN", "N/mm2", "psi", "bar", "cm/s2", "cm", "cm/s"})
-    if (lower(known) == small) return known;
+    if (one_case && lower(known) == small) return known;
+  if (unit_of(text)) return text;
   return {};
 }
 

@@ -129,8 +129,7 @@ const std::vector<Settings> every_key{
     uplift("kind = \"prescribed\", peak = 8e5, shape = \"in_phase\""),
     uplift("kind = \"prescribed\", peak = 8e5, distribution = \"uniform\""),
     uplift("kind = \"prescribed\", peak = 8e5, lag = 0.03"),
-    uplift("kind = \"prescribed\", history = \"force.csv\""),
-    uplift("kind = \"prescribed\", history = \"force.csv\", column = \"force\", zero = 0.01"),
+    uplift("kind = \"prescribed\", history = \"force.csv\", column = \"force\""),
     uplift(
         "kind = \"prescribed\", gauges = \"gauges.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
         "\"constant\", to_landward = \"to_zero\", load_cell = \"cell\", zero = 0.02, record_start = 0.01"),
