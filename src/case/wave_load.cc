@@ -14,13 +14,13 @@
 
 namespace upbead {
 
-namespace {
-
 const Words<WaveCourse> wave_course_words{{"church_roof", WaveCourse::church_roof},
                                           {"triangle", WaveCourse::triangle},
                                           {"sine", WaveCourse::sine},
                                           {"combined", WaveCourse::combined},
                                           {"standing", WaveCourse::standing}};
+
+namespace {
 
 constexpr int most_waves = 1000;
 constexpr double same_peak = 1e-9;  ///< round-off of a peak

@@ -11,6 +11,7 @@
 #include "case/load_source.h"
 #include "case/standing_load.h"
 #include "input/values.h"
+#include "model/words.h"
 #include "upbead/model/scene.h"
 #include "upbead/output/summary.h"
 #include "upbead/sliding/pulse.h"
@@ -28,6 +29,7 @@ enum class WaveCourse {
   combined,     ///< that triangle beside half a standing wave, Shimosako and Takahashi (1998)
   standing,     ///< a standing wave of finite height, crest and trough: standing_load.h
 };
+extern const Words<WaveCourse> wave_course_words;
 
 /// The table [loads.NAME.wave] as written.
 struct WaveLoadTable : WaveGiven {

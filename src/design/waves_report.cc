@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/text.h"
@@ -208,11 +209,13 @@ Checks checks_of(const DesignTables& design, const std::vector<WaveAnswer>& answ
 
 NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>& answers) {
   NumberedWarnings list = design.implausible;
+  std::set<std::string> of_section;  // level and text: what is wrong with a section is told of its first wave
   for (const WaveAnswer& a : answers) {
     std::map<std::string, std::string> told;  // by name of the warning, its text at the level before
     for (const WaveAnswer* level : at_all_levels(a))
       for (NumberedWarning warning : level->warnings) {
         if (std::exchange(told[warning.name], warning.text()) == warning.text()) continue;
+        if (warning.name == "buoyancy" && !of_section.insert(level->level + warning.text()).second) continue;
         warning.what = "wave " + a.name + (level->level.empty() ? "" : " at " + level->level) + ": " + warning.what;
         list.push_back(std::move(warning));
       }

@@ -160,8 +160,9 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
                                   : "DOES NOT HOLD: " + std::to_string(verdict.failing) + " of " + n +
                                         " checks with a limit fail; the worst: ";
   if (verdict.governing) verdict.text += text_of(*verdict.governing);
-  const bool at_rest_alone = std::all_of(checks.begin(), checks.end(),
-                                         [](const Check& check) { return !check.holds || check.by == "statics"; });
+  const bool at_rest_alone = std::all_of(checks.begin(), checks.end(), [](const Check& check) {
+    return !check.holds || (check.mode == FailureMode::strength && check.by == "statics");
+  });
   if (verdict.checked > 0 && at_rest_alone) verdict.text += "; no check judges what the loads do to it";
   if (verdict.unjudged > 0) verdict.text += "; given limits that were not checked: " + unjudged;
   std::set<std::string> told;

@@ -67,9 +67,9 @@ Summary judged(Summary s, const Scene& given = scene()) {
 }
 
 TEST(Checks, AVerdictAtRestSaysThatNothingJudgesTheLoads) {
-  const auto text = [](const std::string& name) {
+  const auto text = [](FailureMode mode) {
     Check check;
-    check.name = name;
+    check.mode = mode;
     check.by = "statics";
     check.demand = 1.;
     check.capacity = 1.2;
@@ -77,8 +77,8 @@ TEST(Checks, AVerdictAtRestSaysThatNothingJudgesTheLoads) {
     check.holds = true;
     return verdict_of({check}, {}).text;
   };
-  EXPECT_NE(text("strength at rest").find("; no check judges what the loads do to it"), std::string::npos);
-  EXPECT_EQ(text("tilt").find("no check judges"), std::string::npos);
+  EXPECT_NE(text(FailureMode::strength).find("; no check judges what the loads do to it"), std::string::npos);
+  EXPECT_EQ(text(FailureMode::tilt).find("no check judges"), std::string::npos);
 }
 
 TEST(Checks, TheWorseRouteGoverns) {
