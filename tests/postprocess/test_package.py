@@ -198,6 +198,17 @@ class Figures(InFolder):
         self.assertIn("(kN/m)", figure.axes[2].get_ylabel())
         np.testing.assert_allclose(drawn[2][0].get_ydata(), 500 * TIME[:4])
 
+    def test_peaks_are_marked_on_the_side_of_the_larger_force(self):
+        """The ratio that is told is of that side."""
+        time, swing = [0.0, 1.0, 2.0], np.array([0.0, -3.0, 2.0])
+        for force, wanted in ((-5.0, (1.5, -3.1)), (1.0, (2.5, 2.2))):
+            response = {"peak_force": 2.0, "peak_force_seaward": force, "peak_shear": 2.2, "peak_shear_time": 2.5,
+                        "peak_shear_seaward": -3.1, "peak_shear_seaward_time": 1.5}  # fmt: skip
+            result = types.SimpleNamespace(summary={"response": response}, time=time)
+            self.assertEqual(reported.peak_of(result, "shear_force", swing), wanted)
+            self.assertEqual(reported.peak_of(result, "inertia_force", swing)[1], -3.0 if force < 0 else 2.0)
+            self.assertEqual(reported.peak_of(result, "inertia_force", abs(swing))[1], 3.0)
+
     def test_figure_and_report_draw_the_same_panels(self):
         tables = {f"history__{name}": 3e3 * TIME for name in ("inertia_force", "caisson__displacement_x", "probes__a_b__pressure", "probes__c__pressure")}
         result = upbead.open(write_result(self.folder / "a", **tables))

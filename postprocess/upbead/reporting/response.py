@@ -49,12 +49,15 @@ def window(time, histories, share=0.05):
 
 
 def peak_of(result, name, values):
-    """Time and value of the landward peak, or of the seaward peak if there is no other; the peaks of the summary take
-    precedence. Of the displacement it is the largest either way."""
+    """Time and value of the peak on the side of the larger force, whose ratio is told, or on the other if there is no
+    such; the peaks of the summary take precedence. Of the displacement it is the largest either way."""
     response = result.summary.get("response") or {}
-    if name in PEAKS and (response.get(PEAKS[name]) or 0.0) > 0:
-        return response[PEAKS[name] + "_time"], response[PEAKS[name]]
-    peak = int(np.argmax(values)) if values.max() > 0 else int(np.argmin(values))
+    seaward = abs(response.get("peak_force_seaward") or 0.0) > abs(response.get("peak_force") or 0.0)
+    key = PEAKS[name] + ("_seaward" if seaward else "") if name in PEAKS else ""
+    if (response.get(key) or 0.0) * (-1 if seaward else 1) > 0:
+        return response[key + "_time"], response[key]
+    first, other = (np.argmin, np.argmax) if seaward else (np.argmax, np.argmin)
+    peak = int(first(values)) if values[first(values)] * (-1 if seaward else 1) > 0 else int(other(values))
     if name == "caisson/displacement_x":
         if response.get("largest_displacement") is not None:
             return response["largest_displacement_time"], response["largest_displacement"]
