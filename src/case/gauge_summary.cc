@@ -93,7 +93,7 @@ NumberedWarnings warnings_of_suction(const Case& input, const LoadSource& by, co
     worst.value = p;
     worst.limit = -at_rest;
     worst.what = by.title + "." + gauges.name[i] + " is " + with_unit(p, "Pa") +
-                 ", and still water, which can no more than " + "go, presses there with " + with_unit(at_rest, "Pa");
+                 ", and a wave that leaves the wall takes away no more than still water, " + with_unit(at_rest, "Pa");
   }
   if (beyond > tolerable * largest) return {worst};
   return {};
